@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <array>
+
+#include "base/error.hpp"
+#include "cli/command.hpp"
+
+namespace cloudgen::cli {
+namespace {
+
+/// A command of the contract that a later version brings: it takes any arguments and says so (exit 3).
+std::function<int()> notBuilt(CLI::App& options) {
+  options.allow_extras();
+  options.prefix_command();
+  return [name = options.get_name()]() -> int {
+    throw base::NotBuiltError("cloudgen " + name, "is not part of this build", "see `cloudgen --version --json` for what is");
+  };
+}
+
+}  // namespace
+
+std::function<int()> setupVerify(CLI::App& options, const Terminal&) { return notBuilt(options); }
+std::function<int()> setupExplain(CLI::App& options, const Terminal&) { return notBuilt(options); }
+std::function<int()> setupMerge(CLI::App& options, const Terminal&) { return notBuilt(options); }
+
+std::span<const Command> commands() {
+  static constexpr std::array<Command, 3> kCommands{{
+      {"verify", "compare a written scene with the model (not built yet)", setupVerify},
+      {"explain", "why is this cloud there? (not built yet)", setupExplain},
+      {"merge", "join shards into one scene (not built yet)", setupMerge},
+  }};
+  return kCommands;
+}
+
+}  // namespace cloudgen::cli

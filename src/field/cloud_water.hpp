@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+namespace cloudgen::field {
+
+/// A cell is cloudy where its condensate exceeds this mixing ratio (kg/kg; GSI's threshold).
+inline constexpr float kCloudyMixingRatio = 1e-6f;
+
+/// Density of moist air, kg/m3, from p = rho R_d T_v.
+double airDensity(double pressurePa, double temperatureK, double specificHumidity);
+
+/// Saturation specific humidity over water above 0 C, over ice below -23 C, mixed between
+/// (Buck 1981 vapour pressures; mixing as in the IFS documentation, part IV).
+double saturationSpecificHumidity(double pressurePa, double temperatureK);
+
+/// Share of condensate that is liquid: 1 at and above 0 C, 0 at and below -23 C, ((T-250.16)/23)^2 between
+/// (IFS documentation, part IV: the diagnostic mixed phase).
+double liquidShare(double temperatureK);
+
+/// Cloud fraction from relative humidity (0..1) and condensate: Xu & Randall 1996, as WRF uses it
+/// (exponent clamped at -6.9, fractions under 0.01 cut to 0).
+double cloudFractionXuRandall(double relativeHumidity, double condensate, double saturationHumidity);
+
+/// Effective radius of droplets, m: Martin et al. 1994 for a number of 1e8 m-3 and k = 0.77, within 4..30 um.
+double liquidEffectiveRadius(double liquidWaterContent);
+
+/// Effective radius of ice, m: Sun & Rikus 1999 with Sun 2001, r_e = 3 sqrt(3) D_e / 8.
+double iceEffectiveRadius(double iceWaterContent, double temperatureK);
+
+/// Extinction per metre of water content (kg/m3): 3 W / (2 rho r_e), geometric optics, Q_ext = 2.
+double liquidExtinction(double liquidWaterContent);
+double iceExtinction(double iceWaterContent, double temperatureK);
+
+}  // namespace cloudgen::field

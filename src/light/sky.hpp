@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include "base/time.hpp"
+
+namespace cloudgen::light {
+
+/// The sun as the scene sees it. Azimuth clockwise from north.
+struct Sun {
+  double azimuthDegrees = 180, elevationDegrees = 45;
+  glm::vec3 direction{0, 1, 0};  ///< towards the sun, scene frame (x east, y up, z south)
+  glm::vec3 color{1};            ///< display-linear, reddened by the air mass
+};
+
+/// Colours of the clear sky and the ground, display-linear.
+struct Sky {
+  glm::vec3 zenith{0}, horizon{0}, ground{0};
+  glm::vec3 ambient{0};          ///< mean sky light on a cloud from above
+  glm::vec3 bounce{0};           ///< light from the ground on a cloud from below
+};
+
+/// Where the sun stands (libnova: Meeus, Astronomical Algorithms), refraction not included.
+Sun sunAt(base::UtcTime time, double longitudeDegrees, double latitudeDegrees);
+
+/// A sun at a chosen place in the sky. Azimuth clockwise from north, elevation -90..90.
+Sun sunFrom(double azimuthDegrees, double elevationDegrees);
+
+/// The clear sky that goes with a sun: blue by day, red at the horizon when the sun is low.
+Sky skyUnder(const Sun& sun);
+
+}  // namespace cloudgen::light

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/scene.hpp"
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <numbers>
+
+namespace cloudgen::scene {
+
+std::uint64_t drawnPuffs(const Scene& scene) {
+  std::uint64_t count = 0;
+  for (const Instance& instance : scene.instances) count += scene.lit[instance.lit].puffs.size();
+  return count;
+}
+
+float yawRadians(int yawStep) { return static_cast<float>(yawStep * 2.0 * std::numbers::pi / kYawSteps); }
+
+shape::Puff placed(const Scene& scene, const Instance& instance, const shape::Puff& puff) {
+  const glm::quat turn = glm::angleAxis(yawRadians(scene.lit[instance.lit].yawStep), glm::vec3(0, 1, 0));
+  shape::Puff out = puff;
+  out.center = instance.position + turn * (puff.center * instance.scale);
+  out.sigma = puff.sigma * instance.scale;
+  out.rotation = turn * puff.rotation;
+  out.extinctionPerMeter = puff.extinctionPerMeter * instance.opticalDepthFactor / instance.scale;
+  return out;
+}
+
+float highestTop(const Scene& scene) {
+  float top = 0;
+  for (const CloudRecord& cloud : scene.clouds) top = std::max(top, cloud.topMeters);
+  return top;
+}
+
+std::vector<Tile> tilesOf(const Scene& scene, float sideMeters) {
+  std::map<std::pair<int, int>, Tile> tiles;
+  for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+    const Instance& instance = scene.instances[i];
+    const int column = static_cast<int>(std::floor(instance.position.x / sideMeters));
+    const int row = static_cast<int>(std::floor(instance.position.z / sideMeters));
+    const auto [found, isNew] = tiles.try_emplace({row, column});
+    Tile& tile = found->second;
+    if (isNew) tile = {column, row, glm::vec3(1e30f), glm::vec3(-1e30f), {}};
+    const Archetype& archetype = scene.archetypes[scene.lit[instance.lit].archetype];
+    const glm::vec3 half = glm::max(glm::abs(archetype.bounds.lower), glm::abs(archetype.bounds.upper)) * instance.scale;
+    const float reach = std::hypot(half.x, half.z);
+    tile.lower = glm::min(tile.lower, instance.position + glm::vec3(-reach, archetype.bounds.lower.y * instance.scale, -reach));
+    tile.upper = glm::max(tile.upper, instance.position + glm::vec3(reach, archetype.bounds.upper.y * instance.scale, reach));
+    tile.instances.push_back(i);
+  }
+  std::vector<Tile> out;
+  for (auto& [key, tile] : tiles) out.push_back(std::move(tile));
+  return out;
+}
+
+}  // namespace cloudgen::scene

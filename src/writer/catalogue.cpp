@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "writer/catalogue.hpp"
+
+#include <array>
+
+#include "base/error.hpp"
+#include "base/text.hpp"
+
+namespace cloudgen::writer {
+
+std::span<const Format> formats() {
+  static const std::vector<Format> kFormats{};
+  return kFormats;
+}
+
+std::span<const std::pair<std::string_view, std::string_view>> formatsNotBuilt() {
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kLater{{
+      {"tiles", "3D Tiles 1.1"}, {"pack", "realtime runtime pack"}, {"vdb", "OpenVDB volume"}}};
+  return kLater;
+}
+
+std::vector<const Format*> chosenFormats(const std::string& list) {
+  std::vector<std::string> wanted;
+  if (list.empty() || list == "default")
+    for (const Format& format : formats()) wanted.emplace_back(format.name);
+  else
+    wanted = base::split(list, ',');
+  std::vector<std::string> known;
+  for (const Format& format : formats()) known.emplace_back(format.name);
+  for (const std::string& name : wanted) {
+    for (const auto& [later, what] : formatsNotBuilt())
+      if (name == later)
+        throw base::NotBuiltError("--formats " + name, std::string(what) + " is not part of this build", "leave it out; `cloudgen formats` lists what is");
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      const std::string nearest = base::nearestWord(name, known);
+      throw base::UsageError("--formats " + name, "is not a known format",
+                             nearest.empty() ? "`cloudgen formats` lists them" : "did you mean " + nearest + "?");
+    }
+  }
+  std::vector<const Format*> chosen;
+  for (const Format& format : formats())
+    if (std::find(wanted.begin(), wanted.end(), format.name) != wanted.end()) chosen.push_back(&format);
+  return chosen;
+}
+
+}  // namespace cloudgen::writer
