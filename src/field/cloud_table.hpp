@@ -33,6 +33,7 @@ struct Cloud {
   std::uint32_t layer = 0;     ///< index in CloudTable::layers
   std::uint32_t ordinal = 0;   ///< counted within the layer; part of every random address
   double longitudeDegrees = 0, latitudeDegrees = 0;
+  double coversSquareMeters = 0;  ///< the share of the layer's covered ground that falls to it
   float widthMeters = 0, baseMeters = 0, depthMeters = 0;
   float opticalDepth = 0;      ///< vertical, mean over the footprint
 };

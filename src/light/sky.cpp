@@ -54,7 +54,7 @@ Sky skyUnder(const Sun& sun) {
   sky.zenith = day * glm::mix(glm::vec3(0.10f, 0.26f, 0.62f), glm::vec3(0.11f, 0.19f, 0.42f), low);
   sky.horizon = day * glm::mix(glm::vec3(0.55f, 0.70f, 0.86f), glm::vec3(0.86f, 0.55f, 0.36f), low * low);
   sky.ground = day * glm::mix(glm::vec3(0.13f, 0.17f, 0.09f), glm::vec3(0.09f, 0.09f, 0.06f), low);
-  sky.ambient = day * glm::mix(glm::vec3(0.24f, 0.33f, 0.47f), glm::vec3(0.22f, 0.23f, 0.32f), low);
+  sky.ambient = day * glm::mix(glm::vec3(0.36f, 0.43f, 0.53f), glm::vec3(0.26f, 0.27f, 0.35f), low);
   sky.bounce = sky.ground * glm::vec3(0.85f) * static_cast<float>(std::max(0.15, std::sin(radians(sun.elevationDegrees)))) +
                0.12f * sky.ambient;
   return sky;

@@ -1,1 +1,72 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "pipeline/pipeline.hpp"
+
+#include <fmt/format.h>
+
+#include "field/collect.hpp"
+#include "pipeline/generalisation.hpp"
+#include "pipeline/location.hpp"
+#include "pipeline/origin.hpp"
+#include "pipeline/production.hpp"
+#include "pipeline/quantity.hpp"
+#include "pipeline/size.hpp"
+#include "pipeline/type.hpp"
+
+namespace cloudgen::pipeline {
+namespace {
+
+std::vector<field::Layer> layersFrom(const field::Source& source, const Origin& origin, Outcome& outcome) {
+  const auto typed = source.typedLayers(origin.cells);
+  if (!typed.empty()) {
+    outcome.cells = typed.size();
+    return locateLayers(source.grid(), typed);
+  }
+  const field::CloudColumns columns = field::collectColumns(source, origin.cells);
+  outcome.cells = columns.cells.size();
+  if (columns.fractionDerived) outcome.derived.emplace_back("cloud fraction", "Xu & Randall 1996 from relative humidity and condensate");
+  if (columns.phaseDerived) outcome.derived.emplace_back("liquid and ice", "condensate split by temperature: all liquid from 0 C, all ice to -23 C");
+  outcome.derived.emplace_back("cover of a layer", "maximum overlap of its levels");
+  outcome.derived.emplace_back("genus", "rules in the order of CDFS II: signature, extent, height");
+  return locateLayers(columns);
+}
+
+}  // namespace
+
+Outcome run(const field::Source& source, const Options& options, const base::Progress& progress) {
+  progress.step("origin", 0);
+  Origin origin = locateOrigin(source, options);
+  const base::GeoBox& box = origin.frame.box();
+  Outcome outcome{scene::Scene{origin.frame}};
+  outcome.columns = origin.cells.size();
+
+  progress.step("location", 0.05);
+  field::CloudTable table;
+  table.layers = layersFrom(source, origin, outcome);
+  outcome.layers = table.layers.size();
+  outcome.patches = joinPatches(source.grid(), table.layers);
+
+  progress.step("type", 0.2);
+  typeLayers(source.grid(), table.layers);
+
+  progress.step("quantity", 0.25);
+  const Generalisation general = generalise(source.grid(), table.layers, options, box);
+  outcome.enlargement = general.enlargement;
+  placeClouds(source.grid(), options, general, box, table);
+
+  progress.step("size", 0.35);
+  sizeClouds(options, general, table);
+
+  progress.step("production", 0.4);
+  outcome.scene = produce(table, origin, options, general, source.info().validTime, progress);
+  outcome.scene.provenance = {source.info().files, source.info().format, source.info().model,
+                              source.info().run ? base::isoText(*source.info().run) : std::string()};
+  outcome.warnings = source.info().warnings;
+  outcome.warnings.insert(outcome.warnings.end(), origin.warnings.begin(), origin.warnings.end());
+  if (general.enlargement > 1.01)
+    outcome.warnings.push_back(fmt::format("the puff budget of {} draws clouds {:.1f} times as wide as natural, and fewer; raise --max-puffs or take a smaller --bbox for natural sizes",
+                                           options.maxPuffs, general.enlargement));
+  if (table.clouds.empty()) outcome.warnings.push_back("the model has no cloud in this box: the sky is clear");
+  return outcome;
+}
+
+}  // namespace cloudgen::pipeline

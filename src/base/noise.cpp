@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "base/noise.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cloudgen::base {
+namespace {
+
+/// SplitMix64's finaliser (Steele et al. 2014) over the lattice address.
+std::uint64_t hashed(std::int64_t x, std::int64_t y, std::int64_t z, std::uint64_t seed) {
+  std::uint64_t h = seed + 0x9e3779b97f4a7c15u * (static_cast<std::uint64_t>(x) + 1);
+  h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9u + 0xd1b54a32d192ed03u * (static_cast<std::uint64_t>(y) + 1);
+  h = (h ^ (h >> 27)) * 0x94d049bb133111ebu + 0x8cb92ba72f3d8dd7u * (static_cast<std::uint64_t>(z) + 1);
+  h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9u;
+  h = (h ^ (h >> 27)) * 0x94d049bb133111ebu;
+  return h ^ (h >> 31);
+}
+
+/// The twelve edge directions of a cube, as Perlin 2002 chose them.
+double slope(std::uint64_t hash, double x, double y, double z) {
+  const int edge = static_cast<int>(hash & 15);
+  const double u = edge < 8 ? x : y;
+  const double v = edge < 4 ? y : (edge == 12 || edge == 14 ? x : z);
+  return ((edge & 1) ? -u : u) + ((edge & 2) ? -v : v);
+}
+
+double fade(double t) { return t * t * t * (t * (t * 6.0 - 15.0) + 10.0); }
+
+double mix(double a, double b, double t) { return a + (b - a) * t; }
+
+}  // namespace
+
+double gradientNoise(const glm::dvec3& point, std::uint64_t seed) {
+  const double fx = std::floor(point.x), fy = std::floor(point.y), fz = std::floor(point.z);
+  const auto x = static_cast<std::int64_t>(fx), y = static_cast<std::int64_t>(fy), z = static_cast<std::int64_t>(fz);
+  const double dx = point.x - fx, dy = point.y - fy, dz = point.z - fz;
+  const double u = fade(dx), v = fade(dy), w = fade(dz);
+  const auto corner = [&](int i, int j, int k) { return slope(hashed(x + i, y + j, z + k, seed), dx - i, dy - j, dz - k); };
+  return mix(mix(mix(corner(0, 0, 0), corner(1, 0, 0), u), mix(corner(0, 1, 0), corner(1, 1, 0), u), v),
+             mix(mix(corner(0, 0, 1), corner(1, 0, 1), u), mix(corner(0, 1, 1), corner(1, 1, 1), u), v), w);
+}
+
+double fractalNoise(const glm::dvec3& point, int octaves, std::uint64_t seed) {
+  double sum = 0, amplitude = 0.5, frequency = 1;
+  for (int octave = 0; octave < octaves; ++octave) {
+    sum += amplitude * gradientNoise(point * frequency, seed + static_cast<std::uint64_t>(octave));
+    amplitude *= 0.5;
+    frequency *= 2;
+  }
+  return sum;
+}
+
+double billowNoise(const glm::dvec3& point, int octaves, std::uint64_t seed) {
+  double sum = 0, total = 0, amplitude = 0.5, frequency = 1;
+  for (int octave = 0; octave < octaves; ++octave) {
+    sum += amplitude * (1.0 - std::abs(gradientNoise(point * frequency, seed + static_cast<std::uint64_t>(octave))));
+    total += amplitude;
+    amplitude *= 0.5;
+    frequency *= 2;
+  }
+  return sum / total;
+}
+
+double smoothStep(double edge0, double edge1, double value) {
+  const double t = std::clamp((value - edge0) / (edge1 - edge0), 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+}  // namespace cloudgen::base

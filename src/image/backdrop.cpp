@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "image/backdrop.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "base/noise.hpp"
+#include "light/color.hpp"
+
+namespace cloudgen::image {
+namespace {
+
+constexpr double kHazeHeightMeters = 2200, kHazeLengthMeters = 42000;
+
+}  // namespace
+
+Backdrop::Backdrop(std::span<const Splat> splats, const Surroundings& surroundings) : surroundings_(surroundings) {
+  if (splats.empty()) return;
+  // The shadow falls along the sun; low suns are taken at 8 degrees so that it stays on the map.
+  glm::dvec3 sun(surroundings.sun.direction);
+  sun.y = std::max(sun.y, 0.14);
+  const auto footOf = [&](const Splat& splat) {
+    const double fall = (splat.center.y - surroundings.groundHeightMeters) / sun.y;
+    return glm::dvec2(splat.center.x - sun.x * fall, splat.center.z - sun.z * fall);
+  };
+  glm::dvec2 lower(1e300), upper(-1e300);
+  for (const Splat& splat : splats) {
+    lower = glm::min(lower, footOf(splat));
+    upper = glm::max(upper, footOf(splat));
+  }
+  side_ = 1024;
+  const double margin = 0.02 * std::max(upper.x - lower.x, upper.y - lower.y) + 500;
+  cell_ = (std::max(upper.x - lower.x, upper.y - lower.y) + 2 * margin) / side_;
+  originX_ = lower.x - margin;
+  originZ_ = lower.y - margin;
+  shadowDepth_.assign(static_cast<size_t>(side_) * side_, 0.0f);
+  for (const Splat& splat : splats) {
+    const glm::dvec2 foot = footOf(splat);
+    const double radius = std::max<double>(std::max(splat.sigma.x, splat.sigma.z), 0.6 * cell_);
+    const double thinned = std::min(1.0, std::pow(std::max(splat.sigma.x, splat.sigma.z) / radius, 2.0));
+    const float depth = static_cast<float>(-std::log(1.0 - std::min(0.995f, splat.opacity)) * thinned);
+    const auto cellOf = [&](double value, double origin) { return static_cast<int>((value - origin) / cell_); };
+    for (int z = std::max(0, cellOf(foot.y - 2 * radius, originZ_)); z <= std::min(side_ - 1, cellOf(foot.y + 2 * radius, originZ_)); ++z)
+      for (int x = std::max(0, cellOf(foot.x - 2 * radius, originX_)); x <= std::min(side_ - 1, cellOf(foot.x + 2 * radius, originX_)); ++x) {
+        const double dx = originX_ + (x + 0.5) * cell_ - foot.x, dz = originZ_ + (z + 0.5) * cell_ - foot.y;
+        shadowDepth_[static_cast<size_t>(z) * side_ + x] += depth * static_cast<float>(std::exp(-0.5 * (dx * dx + dz * dz) / (radius * radius)));
+      }
+  }
+}
+
+float Backdrop::shadowAt(double x, double z) const {
+  if (side_ == 0) return 0;
+  const double u = (x - originX_) / cell_ - 0.5, v = (z - originZ_) / cell_ - 0.5;
+  const int i = static_cast<int>(std::floor(u)), j = static_cast<int>(std::floor(v));
+  if (i < 0 || j < 0 || i + 1 >= side_ || j + 1 >= side_) return 0;
+  const float fu = static_cast<float>(u - i), fv = static_cast<float>(v - j);
+  const float* row = shadowDepth_.data() + static_cast<size_t>(j) * side_ + i;
+  return glm::mix(glm::mix(row[0], row[1], fu), glm::mix(row[side_], row[side_ + 1], fu), fv);
+}
+
+glm::vec3 Backdrop::skyColor(const glm::dvec3& direction) const {
+  const light::Sky& sky = surroundings_.sky;
+  const float up = static_cast<float>(std::max(0.0, direction.y));
+  glm::vec3 color = glm::mix(sky.horizon, sky.zenith, 1.0f - std::exp(-4.5f * up));
+  const float towardsSun = static_cast<float>(glm::dot(direction, glm::dvec3(surroundings_.sun.direction)));
+  if (towardsSun > 0)
+    color += surroundings_.sun.color * (0.10f * std::pow(towardsSun, 8.0f) + 0.22f * std::pow(towardsSun, 90.0f) + 3.0f * std::pow(towardsSun, 12000.0f));
+  return color;
+}
+
+glm::vec3 Backdrop::hazeColor(const glm::dvec3& direction) const {
+  return light::srgbFromLinear(skyColor(glm::normalize(glm::dvec3(direction.x, std::max(0.02, 0.15 * direction.y), direction.z))));
+}
+
+float Backdrop::clarity(const glm::dvec3& eye, const glm::dvec3& point) const {
+  const double distance = glm::length(point - eye), rise = point.y - eye.y;
+  const double a = std::exp(-std::max(0.0, eye.y) / kHazeHeightMeters), b = std::exp(-std::max(0.0, point.y) / kHazeHeightMeters);
+  const double mean = std::abs(rise) < 1.0 ? a : kHazeHeightMeters * (a - b) / rise;
+  return static_cast<float>(std::exp(-distance * std::max(0.0, mean) / kHazeLengthMeters));
+}
+
+glm::vec3 Backdrop::colorAlong(const glm::dvec3& eye, const glm::dvec3& direction) const {
+  if (direction.y > -1e-4) return light::srgbFromLinear(skyColor(direction));
+  const double distance = (eye.y - surroundings_.groundHeightMeters) / -direction.y;
+  const glm::dvec3 point = eye + direction * distance;
+  const double coarse = base::fractalNoise({point.x / 9000.0, 0.5, point.z / 9000.0}, 5, 101);
+  const double fine = distance < 40000 ? base::fractalNoise({point.x / 420.0, 0.5, point.z / 420.0}, 3, 103) : 0.0;
+  glm::vec3 ground = surroundings_.sky.ground * static_cast<float>(1.0 + 0.55 * coarse + 0.25 * fine);
+  ground = glm::mix(ground, glm::vec3(1.35f, 1.1f, 0.8f) * ground, static_cast<float>(base::smoothStep(-0.1, 0.5, coarse)));
+  const float lit = std::exp(-0.55f * shadowAt(point.x, point.z));
+  ground *= 0.38f + 0.72f * lit;
+  return glm::mix(hazeColor(direction), light::srgbFromLinear(ground), clarity(eye, point));
+}
+
+}  // namespace cloudgen::image

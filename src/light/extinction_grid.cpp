@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "light/extinction_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+
+namespace cloudgen::light {
+
+ExtinctionGrid::ExtinctionGrid(std::span<const shape::Puff> puffs, int cellsAlongLongest) {
+  const shape::Bounds bounds = shape::boundsOf(puffs, 2.0f);
+  const glm::vec3 size = bounds.upper - bounds.lower;
+  const float longest = std::max({size.x, size.y, size.z, 1.0f});
+  // Flat clouds get finer cells, so that their depth is resolved by a few.
+  const float shortest = std::max(std::min({size.x, size.y, size.z}), longest / 64.0f);
+  cell_ = std::max(std::min(longest / static_cast<float>(cellsAlongLongest), shortest / 6.0f), longest / 160.0f);
+  lower_ = bounds.lower - glm::vec3(cell_);
+  nx_ = static_cast<int>(size.x / cell_) + 3;
+  ny_ = static_cast<int>(size.y / cell_) + 3;
+  nz_ = static_cast<int>(size.z / cell_) + 3;
+  values_.assign(static_cast<size_t>(nx_) * ny_ * nz_, 0.0f);
+
+  // Each puff as its Gaussian sampled at the cells within two deviations, normalised to its extinction area.
+  std::vector<float> weights;
+  for (const shape::Puff& puff : puffs) {
+    const shape::Bounds own = shape::boundsOf({&puff, 1}, 2.0f);
+    const glm::ivec3 from = glm::max(glm::ivec3((own.lower - lower_) / cell_), glm::ivec3(0));
+    const glm::ivec3 to = glm::min(glm::ivec3((own.upper - lower_) / cell_), glm::ivec3(nx_ - 1, ny_ - 1, nz_ - 1));
+    const glm::vec3 blurred = glm::max(puff.sigma, glm::vec3(0.45f * cell_));
+    const glm::quat inverse = glm::conjugate(puff.rotation);
+    weights.clear();
+    double total = 0;
+    for (int z = from.z; z <= to.z; ++z)
+      for (int y = from.y; y <= to.y; ++y)
+        for (int x = from.x; x <= to.x; ++x) {
+          const glm::vec3 cellCenter = lower_ + (glm::vec3(x, y, z) + 0.5f) * cell_;
+          const glm::vec3 local = (inverse * (cellCenter - puff.center)) / blurred;
+          weights.push_back(std::exp(-0.5f * (local.x * local.x + local.y * local.y + local.z * local.z)));
+          total += weights.back();
+        }
+    if (total <= 0) continue;
+    const float scale = static_cast<float>(shape::extinctionArea(puff) / (total * std::pow(static_cast<double>(cell_), 3)));
+    size_t next = 0;
+    for (int z = from.z; z <= to.z; ++z)
+      for (int y = from.y; y <= to.y; ++y)
+        for (int x = from.x; x <= to.x; ++x) values_[(static_cast<size_t>(z) * ny_ + y) * nx_ + x] += scale * weights[next++];
+  }
+}
+
+float ExtinctionGrid::at(int x, int y, int z) const {
+  if (x < 0 || y < 0 || z < 0 || x >= nx_ || y >= ny_ || z >= nz_) return 0;
+  return values_[(static_cast<size_t>(z) * ny_ + y) * nx_ + x];
+}
+
+float ExtinctionGrid::extinction(const glm::vec3& point) const {
+  const glm::vec3 p = (point - lower_) / cell_ - 0.5f;
+  const glm::vec3 f = glm::floor(p), t = p - f;
+  const int x = static_cast<int>(f.x), y = static_cast<int>(f.y), z = static_cast<int>(f.z);
+  const auto along = [&](int j, int k) { return glm::mix(at(x, j, k), at(x + 1, j, k), t.x); };
+  return glm::mix(glm::mix(along(y, z), along(y + 1, z), t.y), glm::mix(along(y, z + 1), along(y + 1, z + 1), t.y), t.z);
+}
+
+glm::vec3 ExtinctionGrid::gradient(const glm::vec3& point) const {
+  glm::vec3 out;
+  for (int axis = 0; axis < 3; ++axis) {
+    glm::vec3 step(0);
+    step[axis] = 0.75f * cell_;
+    out[axis] = extinction(point + step) - extinction(point - step);
+  }
+  return out;
+}
+
+float ExtinctionGrid::opticalDepth(const glm::vec3& from, const glm::vec3& direction, float skipMeters) const {
+  const glm::vec3 upper = lower_ + glm::vec3(nx_, ny_, nz_) * cell_;
+  float leave = 1e30f;
+  for (int axis = 0; axis < 3; ++axis)
+    if (std::abs(direction[axis]) > 1e-6f)
+      leave = std::min(leave, ((direction[axis] > 0 ? upper[axis] : lower_[axis]) - from[axis]) / direction[axis]);
+  const float step = 0.7f * cell_;
+  float depth = 0;
+  for (float along = skipMeters + 0.5f * step; along < leave; along += step) {
+    depth += extinction(from + direction * along) * step;
+    if (depth > 80.0f) break;
+  }
+  return depth;
+}
+
+}  // namespace cloudgen::light

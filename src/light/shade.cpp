@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "light/shade.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace cloudgen::light {
+
+float scatteredShare(float opticalDepth) {
+  float sum = 0, total = 0, weight = 1, thinning = 1;
+  for (int octave = 0; octave < 8; ++octave) {
+    sum += weight * std::exp(-thinning * opticalDepth);
+    total += weight;
+    weight *= 0.5f;
+    thinning *= 0.5f;
+  }
+  return sum / total;
+}
+
+std::vector<PuffLight> shadePuffs(std::span<const shape::Puff> puffs, const ExtinctionGrid& grid, const Lighting& lighting, float shading) {
+  std::vector<PuffLight> lights(puffs.size());
+  for (size_t i = 0; i < puffs.size(); ++i) {
+    const shape::Puff& puff = puffs[i];
+    const float skip = std::max(0.8f * std::min({puff.sigma.x, puff.sigma.y, puff.sigma.z}), 0.5f * grid.cellMeters());
+    const float toSun = grid.opticalDepth(puff.center, lighting.sunDirection, skip);
+    const float up = grid.opticalDepth(puff.center, {0, 1, 0}, skip);
+    const float down = grid.opticalDepth(puff.center, {0, -1, 0}, skip);
+    // Relief: how squarely the surface here faces the sun; inside the cloud, where the gradient is weak, none.
+    const glm::vec3 gradient = grid.gradient(puff.center);
+    const float strength = glm::length(gradient), here = grid.extinction(puff.center);
+    const float surface = strength / (strength + 0.8f * here + 1e-9f);
+    const glm::vec3 normal = strength > 0 ? -gradient / strength : glm::vec3(0, 1, 0);
+    const float facing = 0.5f + 0.5f * glm::dot(normal, lighting.sunDirection);
+    const float relief = glm::mix(1.0f, 0.34f + 0.78f * facing * facing, shading * std::min(1.0f, 1.6f * surface));
+    const float open = glm::mix(1.0f, 0.72f + 0.38f * (0.5f + 0.5f * normal.y), shading * std::min(1.0f, 1.6f * surface));
+
+    // Similarity (van de Hulst 1980): strongly forward scattering acts as isotropic scattering at (1 - g) tau, g = 0.85.
+    const float reduced = 0.17f;
+    const float sun = glm::mix(scatteredShare(0.3f * reduced * toSun), scatteredShare(reduced * toSun), shading);
+    const float sky = 0.30f + 0.70f * std::exp(-0.05f * shading * up);
+    const float ground = std::exp(-0.10f * down);
+    const glm::vec3 radiance = 0.84f * lighting.sunColor * (sun * relief) + 0.40f * lighting.sky.ambient * (sky * open) +
+                               0.6f * lighting.sky.bounce * ground;
+    lights[i].color = radiance;
+    lights[i].forward = 0.24f * std::exp(-0.6f * toSun);
+  }
+  return lights;
+}
+
+}  // namespace cloudgen::light

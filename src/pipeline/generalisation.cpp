@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline/generalisation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "shape/generate.hpp"
+
+namespace cloudgen::pipeline {
+namespace {
+
+/// Share of a cell's area that lies in the box, by its extent in degrees.
+double shareInside(const field::Grid& grid, std::uint32_t cell, const base::GeoBox& box) {
+  const field::GeoPoint center = field::pointAt(grid, grid.column(cell), grid.row(cell));
+  const double halfX = 0.5 * std::abs(grid.stepX), halfY = 0.5 * std::abs(grid.stepY);
+  const double west = base::wrappedLongitude(center.longitudeDegrees - box.centerLongitude());
+  const double x = std::min(west + halfX, 0.5 * box.width()) - std::max(west - halfX, -0.5 * box.width());
+  const double y = std::min(center.latitudeDegrees + halfY, box.north) - std::max(center.latitudeDegrees - halfY, box.south);
+  return std::clamp(x / (2 * halfX), 0.0, 1.0) * std::clamp(y / (2 * halfY), 0.0, 1.0);
+}
+
+}  // namespace
+
+int fewestPuffs(const shape::Recipe& recipe) {
+  switch (recipe.form) {
+    case shape::Form::Heap: return 5 * recipe.billboards;
+    case shape::Form::Tower: return recipe.sections * recipe.billboards;
+    case shape::Form::Cells: return 110;
+    case shape::Form::Veil: return 70;
+    case shape::Form::Filaments: break;
+  }
+  return recipe.sections * recipe.billboards;
+}
+
+double naturalWidthMeters(const shape::Recipe& recipe, double depthMeters) {
+  const auto within = [&](double width) { return std::clamp<double>(width, recipe.widthMeters.low, recipe.widthMeters.high); };
+  switch (recipe.form) {
+    case shape::Form::Heap: return within(1.5 * depthMeters);
+    case shape::Form::Tower: return within(1.9 * depthMeters);
+    case shape::Form::Cells: return within(22.0 * depthMeters);
+    case shape::Form::Veil: return within(25.0 * depthMeters);
+    case shape::Form::Filaments: break;
+  }
+  return within(10.0 * depthMeters);
+}
+
+double coveredSquareMeters(const shape::Recipe& recipe, double widthMeters) {
+  if (!recipe.sheet) return shape::footprintSquareMeters(widthMeters);
+  const double spacing = (recipe.form == shape::Form::Veil ? 0.5 : 0.7) * widthMeters;
+  return spacing * spacing;
+}
+
+Generalisation generalise(const field::Grid& grid, std::span<const field::Layer> layers, const Options& options, const base::GeoBox& box) {
+  double coarsest = 0;
+  for (const field::Layer& layer : layers) {
+    const shape::Recipe& recipe = options.recipes.of(layer.genus);
+    const double area = layer.fraction * shareInside(grid, layer.cell, box) * field::cellAreaSquareMeters(grid, layer.cell);
+    coarsest += fewestPuffs(recipe) * area / coveredSquareMeters(recipe, naturalWidthMeters(recipe, layer.depthMeters()));
+  }
+  const double budget = static_cast<double>(std::max<std::uint64_t>(options.maxPuffs, 1000));
+  Generalisation out;
+  out.enlargement = std::max(1.0, std::sqrt(coarsest / budget));
+  const double richness = std::clamp(budget / std::max(coarsest, 1.0), 1.0, 400.0);
+  for (const base::Genus genus : base::allGenera())
+    out.puffsPerCloud[static_cast<size_t>(genus)] = static_cast<int>(fewestPuffs(options.recipes.of(genus)) * richness);
+  return out;
+}
+
+}  // namespace cloudgen::pipeline

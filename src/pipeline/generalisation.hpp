@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "field/cloud_table.hpp"
+#include "field/grid.hpp"
+#include "pipeline/options.hpp"
+
+namespace cloudgen::pipeline {
+
+/// How the puff budget is spent: as in cartography, a small budget draws fewer and larger clouds of the same cover and water.
+struct Generalisation {
+  double enlargement = 1;                            ///< all widths times this, >= 1
+  std::array<int, base::kGenusCount> puffsPerCloud;  ///< one level of detail a genus
+};
+
+/// Puffs that a genus needs to be told: at the coarsest level, sections times billboards.
+int fewestPuffs(const shape::Recipe& recipe);
+
+/// Width of a cloud of a layer before enlargement, metres: heaps follow their depth, sheets the recipe.
+double naturalWidthMeters(const shape::Recipe& recipe, double depthMeters);
+
+/// Ground that one cloud stands for when its layer is continuous: its footprint, or for sheets the square of the spacing at which
+/// elements overlap to an even cover.
+double coveredSquareMeters(const shape::Recipe& recipe, double widthMeters);
+
+/// Enlargement and level of detail such that all clouds of the layers inside the box take about `maxPuffs`.
+Generalisation generalise(const field::Grid& grid, std::span<const field::Layer> layers, const Options& options, const base::GeoBox& box);
+
+}  // namespace cloudgen::pipeline

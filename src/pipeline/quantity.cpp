@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline/quantity.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "base/noise.hpp"
+
+namespace cloudgen::pipeline {
+namespace {
+
+using field::Layer;
+
+constexpr double kEarthRadiusMeters = 6371000.0;
+
+/// Unevenness of cover that knows no cells: noise on the sphere, about eight cloud widths across.
+double unevenness(const field::GeoPoint& place, double widthMeters, const Layer& layer, std::uint64_t seed) {
+  const double lon = place.longitudeDegrees * std::numbers::pi / 180.0, lat = place.latitudeDegrees * std::numbers::pi / 180.0;
+  const double scale = kEarthRadiusMeters / (6.0 * widthMeters);
+  const glm::dvec3 point(std::cos(lat) * std::cos(lon), std::cos(lat) * std::sin(lon), std::sin(lat));
+  return base::fractalNoise(point * scale, 4, seed * 1000003u + static_cast<std::uint64_t>(layer.genus));
+}
+
+std::uint64_t layerItem(const Layer& layer, std::uint64_t number) { return (static_cast<std::uint64_t>(layer.ordinal) << 40) | number; }
+
+/// The number of clouds whose expectation is `expected`, rounded up or down by the cell's own chance.
+int wholeCount(double expected, std::uint64_t seed, const Layer& layer) {
+  base::RandomStream stream(seed, layer.cell, base::Purpose::CloudPlace, layerItem(layer, 0));
+  return static_cast<int>(std::floor(expected + stream.uniform()));
+}
+
+/// A cell in grid coordinates from (u, v) in 0..1.
+field::GeoPoint inCell(const field::Grid& grid, std::uint32_t cell, double u, double v) {
+  return field::pointAt(grid, grid.column(cell) + u - 0.5, grid.row(cell) + v - 0.5);
+}
+
+struct Candidate {
+  field::GeoPoint place;
+  double rank = 0;
+  std::uint32_t number = 0;
+};
+
+/// Twice as many places by chance as clouds; the half where the unevenness is highest (softened by chance) is taken.
+std::vector<Candidate> scattered(const field::Grid& grid, const Layer& layer, int count, double widthMeters, std::uint64_t seed) {
+  std::vector<Candidate> candidates;
+  for (int i = 0; i < 2 * count; ++i) {
+    base::RandomStream stream(seed, layer.cell, base::Purpose::CloudPlace, layerItem(layer, static_cast<std::uint64_t>(i) + 1));
+    Candidate candidate;
+    const double u = stream.uniform(), v = stream.uniform();
+    candidate.place = inCell(grid, layer.cell, u, v);
+    candidate.rank = unevenness(candidate.place, 4 * widthMeters, layer, seed) + 0.25 * stream.gaussian();
+    candidate.number = static_cast<std::uint32_t>(i);
+    candidates.push_back(candidate);
+  }
+  return candidates;
+}
+
+/// A jittered lattice of about `count` / fraction places.
+std::vector<Candidate> lattice(const field::Grid& grid, const Layer& layer, double count, double widthMeters, std::uint64_t seed) {
+  const double places = std::max(1.0, count / layer.fraction);
+  const field::GeoPoint center = inCell(grid, layer.cell, 0.5, 0.5);
+  const double aspect = std::max(0.05, std::cos(center.latitudeDegrees * std::numbers::pi / 180.0)) * std::abs(grid.stepX / grid.stepY);
+  const int columns = std::max(1, static_cast<int>(std::lround(std::sqrt(places * aspect))));
+  const int rows = std::max(1, static_cast<int>(std::lround(places / columns)));
+  std::vector<Candidate> candidates;
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < columns; ++column) {
+      const auto number = static_cast<std::uint32_t>(row * columns + column);
+      base::RandomStream stream(seed, layer.cell, base::Purpose::CloudPlace, layerItem(layer, number + 1ull));
+      Candidate candidate;
+      const double u = (column + 0.5 + 0.55 * (stream.uniform() - 0.5)) / columns, v = (row + 0.5 + 0.55 * (stream.uniform() - 0.5)) / rows;
+      candidate.place = inCell(grid, layer.cell, u, v);
+      candidate.rank = unevenness(candidate.place, widthMeters, layer, seed) + 0.03 * stream.gaussian();
+      candidate.number = number;
+      candidates.push_back(candidate);
+    }
+  return candidates;
+}
+
+/// Keeps the `count` candidates of the highest rank, in the order of their numbers.
+void keepHighest(std::vector<Candidate>& candidates, size_t count) {
+  if (candidates.size() <= count) return;
+  const auto higher = [](const Candidate& a, const Candidate& b) { return a.rank != b.rank ? a.rank > b.rank : a.number < b.number; };
+  std::nth_element(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(count), candidates.end(), higher);
+  candidates.resize(count);
+  std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) { return a.number < b.number; });
+}
+
+}  // namespace
+
+void placeClouds(const field::Grid& grid, const Options& options, const Generalisation& general, const base::GeoBox& box,
+                 field::CloudTable& table) {
+  for (std::uint32_t index = 0; index < table.layers.size(); ++index) {
+    const Layer& layer = table.layers[index];
+    const shape::Recipe& recipe = options.recipes.of(layer.genus);
+    const double width = general.enlargement * naturalWidthMeters(recipe, layer.depthMeters());
+    const double area = layer.fraction * field::cellAreaSquareMeters(grid, layer.cell);
+    const double expected = area / coveredSquareMeters(recipe, width);
+    const int count = wholeCount(expected, options.seed, layer);
+    auto candidates = recipe.sheet ? lattice(grid, layer, expected, width, options.seed) : scattered(grid, layer, count, width, options.seed);
+    keepHighest(candidates, recipe.sheet ? static_cast<size_t>(std::lround(layer.fraction * static_cast<double>(candidates.size()))) : static_cast<size_t>(count));
+    // What one cloud must cover so that all of them cover fraction times area.
+    const double covers = candidates.empty() ? 0 : area / static_cast<double>(candidates.size());
+    for (const Candidate& candidate : candidates) {
+      if (!box.contains(candidate.place.longitudeDegrees, candidate.place.latitudeDegrees)) continue;
+      field::Cloud cloud;
+      cloud.layer = index;
+      cloud.ordinal = candidate.number;
+      cloud.longitudeDegrees = candidate.place.longitudeDegrees;
+      cloud.latitudeDegrees = candidate.place.latitudeDegrees;
+      cloud.coversSquareMeters = covers;
+      table.clouds.push_back(cloud);
+    }
+  }
+}
+
+}  // namespace cloudgen::pipeline
