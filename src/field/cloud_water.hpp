@@ -9,6 +9,13 @@ inline constexpr float kCloudyMixingRatio = 1e-6f;
 /// Density of moist air, kg/m3, from p = rho R_d T_v.
 double airDensity(double pressurePa, double temperatureK, double specificHumidity);
 
+/// Saturation vapour pressure, Pa, over water above 0 C, over ice below -23 C, mixed between
+/// (Buck 1981; mixing as in the IFS documentation, part IV).
+double saturationVapourPressure(double temperatureK);
+
+/// Dew point over water, K, from relative humidity (0..1), by Buck 1981.
+double dewPoint(double temperatureK, double relativeHumidity);
+
 /// Saturation specific humidity over water above 0 C, over ice below -23 C, mixed between
 /// (Buck 1981 vapour pressures; mixing as in the IFS documentation, part IV).
 double saturationSpecificHumidity(double pressurePa, double temperatureK);
@@ -24,11 +31,16 @@ double cloudFractionXuRandall(double relativeHumidity, double condensate, double
 /// Effective radius of droplets, m: Martin et al. 1994 for a number of 1e8 m-3 and k = 0.77, within 4..30 um.
 double liquidEffectiveRadius(double liquidWaterContent);
 
-/// Effective radius of ice, m: Sun & Rikus 1999 with Sun 2001, r_e = 3 sqrt(3) D_e / 8.
+/// Effective radius of ice, m: Sun & Rikus 1999 with Sun 2001, r_e = 3 sqrt(3) D_e / 8; the content is held
+/// within 1e-4..0.3 g/m3 and the temperature within -70..-5 C, where the fit holds.
 double iceEffectiveRadius(double iceWaterContent, double temperatureK);
 
 /// Extinction per metre of water content (kg/m3): 3 W / (2 rho r_e), geometric optics, Q_ext = 2.
 double liquidExtinction(double liquidWaterContent);
 double iceExtinction(double iceWaterContent, double temperatureK);
+
+/// Height above mean sea level, m, of a geopotential height (gpm): Mahoney 2001, with the gravity and radius
+/// of the WGS84 ellipsoid at that latitude.
+double geometricHeight(double geopotentialMeters, double latitudeDegrees);
 
 }  // namespace cloudgen::field

@@ -46,20 +46,30 @@ struct Level {
 struct TypedLayer {
   std::uint32_t cell = 0;
   base::Genus genus{};
-  float coverFraction = 0;        ///< 0..1
+  float coverFraction = 0;              ///< 0..1
   float baseMeters = 0, topMeters = 0;  ///< above mean sea level
-  float opticalDepth = 0;         ///< vertical, where it is cloudy
+  float opticalDepth = 0;               ///< vertical, where it is cloudy
   float windEast = 0, windNorth = 0;    ///< m/s at mid layer
   float shearEast = 0, shearNorth = 0;  ///< wind at the top minus wind at the base, m/s
+};
+
+/// What a source says of the ground at the cells that were asked for: one value a cell, or empty where it
+/// says nothing.
+struct Surface {
+  std::vector<float> heightMeters;  ///< above mean sea level
+  std::vector<float> pressurePa;
 };
 
 /// What a file holds, for reports.
 struct SourceInfo {
   std::vector<std::string> files;
-  std::string format, model;          ///< "GRIB2", "NCEP GFS"
-  std::optional<base::UtcTime> run;   ///< start of the forecast
+  std::string format, model;         ///< "GRIB2", "NCEP GFS"
+  std::optional<base::UtcTime> run;  ///< start of the forecast
   base::UtcTime validTime;
-  std::vector<std::string> fields;    ///< which variables serve as what, one line each
+  std::vector<std::string> fields;   ///< which variables serve as what, one line each
+  std::vector<std::string> missing;  ///< what is not in the file and how it will be made, one line each
+  std::vector<double>
+      levelPressuresPa;  ///< of levels with cloud water, from the ground upwards; empty for typed layers
   std::vector<std::string> warnings;  ///< what looked wrong and what was done about it
 };
 
@@ -72,7 +82,14 @@ class Source {
 
   /// Calls visit for each level from the ground upwards, with the values at `cells` (indices of the grid).
   /// Nothing is visited by sources that state typed layers only. Throws InputError on damaged data.
-  virtual void visitLevels(std::span<const std::uint32_t> cells, const std::function<void(const Level&)>& visit) const = 0;
+  virtual void visitLevels(std::span<const std::uint32_t> cells,
+                           const std::function<void(const Level&)>& visit) const = 0;
+
+  /// Orography and surface pressure at `cells`, as far as the source has them.
+  virtual Surface surface(std::span<const std::uint32_t> cells) const {
+    (void)cells;
+    return {};
+  }
 
   /// The layers that the source states outright at `cells`; empty for model output.
   virtual std::vector<TypedLayer> typedLayers(std::span<const std::uint32_t> cells) const {
