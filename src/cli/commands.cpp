@@ -23,7 +23,11 @@ std::function<int()> setupExplain(CLI::App& options, const Terminal&) { return n
 std::function<int()> setupMerge(CLI::App& options, const Terminal&) { return notBuilt(options); }
 
 std::span<const Command> commands() {
-  static constexpr std::array<Command, 3> kCommands{{
+  static constexpr std::array<Command, 7> kCommands{{
+      {"build", "make a 3D sky from model output", setupBuild},
+      {"textures", "make the sprite set", setupTextures},
+      {"types", "the cloud types and their recipes", setupTypes},
+      {"formats", "the output formats", setupFormats},
       {"verify", "compare a written scene with the model (not built yet)", setupVerify},
       {"explain", "why is this cloud there? (not built yet)", setupExplain},
       {"merge", "join shards into one scene (not built yet)", setupMerge},

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/progress.hpp"
 #include "field/source.hpp"
 #include "pipeline/options.hpp"
 #include "scene/scene.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "base/progress.hpp"
 #include "field/cloud_table.hpp"
 #include "field/grid.hpp"
 #include "pipeline/generalisation.hpp"

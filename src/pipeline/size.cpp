@@ -32,7 +32,8 @@ void sizeClouds(const Options& options, const Generalisation& general, field::Cl
     const shape::Recipe& recipe = options.recipes.of(layer.genus);
     base::RandomStream stream(options.seed, layer.cell, base::Purpose::CloudSize,
                               (static_cast<std::uint64_t>(layer.ordinal) << 40) | cloud.ordinal);
-    double width = general.enlargement * naturalWidthMeters(recipe, layer.depthMeters());
+    const double meanWidth = general.enlargement * naturalWidthMeters(recipe, layer.depthMeters());
+    double width = meanWidth;
     double depth = layer.depthMeters();
     if (!recipe.sheet) {
       const double relative = relativeWidth(stream.uniform()) / normal;
@@ -42,17 +43,9 @@ void sizeClouds(const Options& options, const Generalisation& general, field::Cl
     cloud.widthMeters = static_cast<float>(width);
     cloud.depthMeters = static_cast<float>(depth);
     cloud.baseMeters = layer.baseMeters;
-    cloud.opticalDepth = static_cast<float>(layer.opticalDepth() * cloud.coversSquareMeters / coveredSquareMeters(recipe, width) *
-                                            (recipe.sheet ? coveredSquareMeters(recipe, width) / shape::footprintSquareMeters(width) : 1.0));
-    if (!recipe.sheet) cloud.opticalDepth = layer.opticalDepth();
+    // What the layer owes this cloud's ground, spread over the mean footprint: a smaller box changes nothing.
+    cloud.opticalDepth = static_cast<float>(layer.opticalDepth() * cloud.coversSquareMeters / shape::footprintSquareMeters(meanWidth));
   }
-  // Separate clouds: the widths drawn set how the layer's water is shared; the sum over the layer stays exact.
-  std::vector<double> drawn(table.layers.size(), 0.0), owed(table.layers.size(), 0.0);
-  for (const field::Cloud& cloud : table.clouds) {
-    drawn[cloud.layer] += shape::footprintSquareMeters(cloud.widthMeters) * cloud.opticalDepth;
-    owed[cloud.layer] += cloud.coversSquareMeters * table.layers[cloud.layer].opticalDepth();
-  }
-  for (field::Cloud& cloud : table.clouds) cloud.opticalDepth *= static_cast<float>(owed[cloud.layer] / drawn[cloud.layer]);
 }
 
 }  // namespace cloudgen::pipeline

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <chrono>
+#include <optional>
+
+#include "base/data_dir.hpp"
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/text.hpp"
+#include "base/thread.hpp"
+#include "cli/command.hpp"
+#include "cli/report.hpp"
+#include "input/catalogue.hpp"
+#include "writer/catalogue.hpp"
+
+namespace cloudgen::cli {
+namespace {
+
+/// The command line as written.
+struct BuildLine {
+  std::vector<std::string> inputs;
+  std::string output, box, time = "all", formats, sun = "auto", frame = "local", types, typing, shape, shard, maxMemory;
+  std::uint64_t seed = 1, maxPuffs = 200'000;
+  int threads = 0;
+  bool overwrite = false, json = false;
+};
+
+void refuseWhatIsNotBuilt(const BuildLine& line) {
+  const auto refuse = [](const std::string& option, const std::string& what) {
+    throw base::NotBuiltError(option, what + " is not part of this build", "leave it out; `cloudgen --version --json` says what is built");
+  };
+  if (!line.typing.empty()) refuse("--typing", "joining a cloud typing with a moisture model");
+  if (!line.shape.empty()) refuse("--shape", "a shape from a file");
+  if (!line.shard.empty()) refuse("--shard", "building in shards");
+  if (!line.maxMemory.empty()) refuse("--max-memory", "a memory limit");
+  if (line.frame == "geo") refuse("--frame geo", "the curved-Earth frame");
+  if (line.frame != "local") throw base::UsageError("--frame " + line.frame, "is not a known frame", "use local");
+}
+
+std::optional<std::pair<double, double>> sunFromText(const std::string& text) {
+  if (text == "auto") return std::nullopt;
+  const auto parts = base::split(text, ',');
+  double azimuth = 0, elevation = 0;
+  if (parts.size() != 2 || !base::parseNumber(parts[0], azimuth) || !base::parseNumber(parts[1], elevation) || elevation < -90 || elevation > 90)
+    throw base::UsageError("--sun " + text, "is not AZIMUTH,ELEVATION in degrees", "as in --sun 220,35 (clockwise from north, above the horizon), or --sun auto");
+  return std::pair{azimuth, elevation};
+}
+
+void checkTime(const std::string& wanted, const field::SourceInfo& info) {
+  if (wanted == "all") return;
+  const auto time = base::utcFromIso(wanted);
+  if (!time) throw base::UsageError("--time " + wanted, "is not an ISO time", "as in --time 2011-01-15T12:00Z, or --time all");
+  if (*time != info.validTime)
+    throw base::InputError(info.files.front(), "has no data for " + base::isoText(*time), "it is valid at " + base::isoText(info.validTime));
+}
+
+/// Seconds since the last call, by stage.
+class Stopwatch {
+ public:
+  void lap(const std::string& stage) {
+    const auto now = std::chrono::steady_clock::now();
+    laps_.emplace_back(stage, std::chrono::duration<double>(now - last_).count());
+    last_ = now;
+  }
+  const std::vector<std::pair<std::string, double>>& laps() const { return laps_; }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+  std::vector<std::pair<std::string, double>> laps_;
+};
+
+int build(const BuildLine& line, const Terminal& terminal) {
+  refuseWhatIsNotBuilt(line);
+  const auto formats = writer::chosenFormats(line.formats);
+  pipeline::Options options;
+  if (!line.box.empty()) options.box = base::boxFromText(line.box);
+  options.seed = line.seed;
+  options.maxPuffs = line.maxPuffs;
+  options.sunDegrees = sunFromText(line.sun);
+  const base::ThreadLimit limit(line.threads);
+  const base::Progress progress = terminal.progress();
+  Stopwatch watch;
+
+  options.recipes = pipeline::readRecipes(line.types.empty() ? base::dataDir() / "templates" / "types" : std::filesystem::path(line.types));
+  const auto source = input::open({line.inputs.begin(), line.inputs.end()});
+  checkTime(line.time, source->info());
+  base::StagedFolder folder(line.output, line.overwrite);
+  watch.lap("open");
+  const pipeline::Outcome outcome = pipeline::run(*source, options, progress);
+  watch.lap("pipeline");
+  for (const writer::Format* format : formats) {
+    progress.step(fmt::format("writing {}", format->name), 0);
+    format->write(outcome.scene, {folder.path(), progress});
+    watch.lap(fmt::format("write_{}", format->name));
+  }
+  const auto report = reportOf(*source, outcome, folder.path(), watch.laps());
+  base::writeFile(folder.path() / "report.json", report.dump(2) + "\n");
+  progress.step("writing", 1);
+  folder.commit();
+
+  for (const std::string& warning : outcome.warnings) terminal.warn(warning);
+  if (line.json) print(report.dump(2));
+  terminal.say(fmt::format("{}: {} clouds of {} puffs from {} model columns, valid {}", line.output, outcome.scene.clouds.size(),
+                           scene::drawnPuffs(outcome.scene), outcome.columns, base::isoText(outcome.scene.validTime)));
+  return 0;
+}
+
+}  // namespace
+
+std::function<int()> setupBuild(CLI::App& options, const Terminal& terminal) {
+  const auto line = std::make_shared<BuildLine>();
+  options.add_option("INPUT", line->inputs, "model output: GRIB files, or a described sky (*.sky.json)")->required();
+  options.add_option("-o,--output", line->output, "folder to make; it appears when it is complete")->required();
+  options.add_option("--bbox", line->box, "west,south,east,north in degrees (default: the whole model domain)");
+  options.add_option("--time", line->time, "a valid time (ISO), or all")->capture_default_str();
+  options.add_option("--formats", line->formats, "comma-separated list; `cloudgen formats` lists them (default: all that are built)");
+  options.add_option("--seed", line->seed, "another seed, another sky of the same statistics")->capture_default_str();
+  options.add_option("--threads", line->threads, "worker threads; the result is the same for any number (0: all cores)")->check(CLI::Range(0, 1024));
+  options.add_option("--sun", line->sun, "auto (from time and place) or AZIMUTH,ELEVATION in degrees")->capture_default_str();
+  options.add_option("--max-puffs", line->maxPuffs, "how many puffs the whole scene may draw; fewer make fewer and larger clouds")
+      ->check(CLI::Range(std::uint64_t{1000}, std::uint64_t{50'000'000}))->capture_default_str();
+  options.add_option("--frame", line->frame, "local: a plane tangent at the middle of the box")->capture_default_str();
+  options.add_option("--types", line->types, "folder of recipes, one a genus (default: templates/types)");
+  options.add_option("--typing", line->typing, "cloud typing beside a moisture model (not built yet)");
+  options.add_option("--shape", line->shape, "a cloud shape from a file (not built yet)");
+  options.add_option("--shard", line->shard, "I/N: only a share of the tiles (not built yet)");
+  options.add_option("--max-memory", line->maxMemory, "limit of memory (not built yet)");
+  options.set_config("--config", "", "options from a TOML file");
+  options.add_flag("--overwrite", line->overwrite, "replace a folder that cloudgen made before");
+  options.add_flag("--json", line->json, "print the report to stdout");
+  return [line, &terminal] { return build(*line, terminal); };
+}
+
+}  // namespace cloudgen::cli

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/report.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cloudgen::cli {
+namespace {
+
+using nlohmann::ordered_json;
+
+double rounded(double value, double unit) { return std::round(value / unit) * unit; }
+
+ordered_json generaOf(const scene::Scene& scene) {
+  ordered_json genera = ordered_json::object();
+  for (const base::Genus genus : base::allGenera()) {
+    const auto count = std::count_if(scene.clouds.begin(), scene.clouds.end(), [&](const auto& cloud) { return cloud.genus == genus; });
+    if (count > 0) genera[std::string(base::abbreviation(genus))] = count;
+  }
+  return genera;
+}
+
+ordered_json rulesOf(const scene::Scene& scene) {
+  std::map<std::string, std::uint64_t> counts;
+  for (const auto& cloud : scene.clouds) ++counts[cloud.rule];
+  return ordered_json(counts);
+}
+
+ordered_json filesIn(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> paths;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+    if (entry.is_regular_file()) paths.push_back(entry.path());
+  std::sort(paths.begin(), paths.end());
+  ordered_json files = ordered_json::array();
+  for (const auto& path : paths)
+    files.push_back({{"name", path.lexically_relative(folder).generic_string()}, {"bytes", std::filesystem::file_size(path)}});
+  return files;
+}
+
+}  // namespace
+
+ordered_json reportOf(const field::Source& source, const pipeline::Outcome& outcome, const std::filesystem::path& folder,
+                      const std::vector<std::pair<std::string, double>>& timingsSeconds) {
+  const scene::Scene& scene = outcome.scene;
+  const field::SourceInfo& info = source.info();
+  const base::GeoBox& box = scene.frame.box();
+  ordered_json report;
+  report["cloudgen"] = CLOUDGEN_VERSION;
+  ordered_json files = ordered_json::array();
+  for (const std::string& file : info.files) files.push_back(std::filesystem::path(file).filename().string());
+  report["source"] = {{"files", files}, {"format", info.format}, {"model", info.model},
+                      {"run", info.run ? ordered_json(base::isoText(*info.run)) : ordered_json(nullptr)}, {"fields", info.fields}};
+  report["valid_times"] = {base::isoText(scene.validTime)};
+  report["bbox"] = {box.west, box.south, box.east, box.north};
+  report["frame"] = {{"kind", "local"}, {"definition", scene.frame.definition()}, {"origin", {box.west, box.south}}, {"axes", "x east, y up, z south, metres"},
+                     {"ground_m", scene.groundHeightMeters}};
+  report["sun"] = {{"azimuth", rounded(scene.sun.azimuthDegrees, 0.01)}, {"elevation", rounded(scene.sun.elevationDegrees, 0.01)}};
+  report["seed"] = scene.seed;
+  report["counts"] = {{"columns", outcome.columns}, {"cells", outcome.cells}, {"layers", outcome.layers}, {"patches", outcome.patches},
+                      {"clouds", scene.clouds.size()}, {"puffs", scene::drawnPuffs(scene)}, {"archetypes", scene.archetypes.size()}, {"tiles", 1}};
+  report["genera"] = generaOf(scene);
+  report["rules"] = rulesOf(scene);
+  report["enlargement"] = rounded(outcome.enlargement, 0.001);
+  report["derived"] = ordered_json::array();
+  for (const auto& [what, how] : outcome.derived) report["derived"].push_back({{"what", what}, {"how", how}});
+  report["warnings"] = outcome.warnings;
+  report["files"] = filesIn(folder);
+  report["timings_seconds"] = ordered_json::object();
+  for (const auto& [stage, seconds] : timingsSeconds) report["timings_seconds"][stage] = rounded(seconds, 0.001);
+  return report;
+}
+
+}  // namespace cloudgen::cli

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "base/genus.hpp"
+#include "base/progress.hpp"
+#include "image/picture.hpp"
+
+namespace cloudgen::image {
+
+inline constexpr int kSpriteTilePixels = 128, kSpriteTilesAcross = 4;
+
+/// The sprite atlas of a genus: 4 x 4 tiles of 128 pixels, RGBA with straight alpha, colours display-encoded. Each tile is a small
+/// cloud of noise, lit from above and seen from the side: alpha falls off like a Gaussian of 2.3 deviations to the edge and is
+/// zero on the tile's border; colour is defined under zero alpha too, so that filtering makes no dark fringe.
+ByteImage bakeSprites(base::Genus genus);
+
+/// Writes every genus's atlas and manifest.json into a folder that exists.
+void writeSpriteSet(const std::filesystem::path& folder, const base::Progress& progress);
+
+}  // namespace cloudgen::image
