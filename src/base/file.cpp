@@ -41,11 +41,13 @@ std::string readFile(const fs::path& file, std::uint64_t limitBytes) {
   return bytes;
 }
 
-void writeFile(const fs::path& file, std::string_view bytes) {
+void writeFile(const fs::path& file, std::string_view bytes) { writeFile(file, std::span(&bytes, 1)); }
+
+void writeFile(const fs::path& file, std::span<const std::string_view> pieces) {
   const fs::path beside = file.string() + ".part";
   {
     std::ofstream stream(beside, std::ios::binary | std::ios::trunc);
-    stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    for (const std::string_view bytes : pieces) stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     stream.flush();
     if (!stream) {
       const std::string reason = systemReason();

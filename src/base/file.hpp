@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -13,6 +14,9 @@ std::string readFile(const std::filesystem::path& file, std::uint64_t limitBytes
 
 /// Writes the bytes beside the file and renames, so that the file is whole or absent. Throws OutputError.
 void writeFile(const std::filesystem::path& file, std::string_view bytes);
+
+/// The same for a file made of pieces, one after another, so that a large file need not stand in memory twice.
+void writeFile(const std::filesystem::path& file, std::span<const std::string_view> pieces);
 
 /// An output folder that appears under its name only when it is complete: files go to a hidden folder
 /// beside it, commit() renames. Without commit() nothing is left behind.

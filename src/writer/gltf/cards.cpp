@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <glm/gtc/quaternion.hpp>
+#include <nlohmann/json.hpp>
+
+#include "base/data_dir.hpp"
+#include "base/file.hpp"
+#include "writer/gltf/card_mesh.hpp"
+#include "writer/gltf/glb_file.hpp"
+#include "writer/gltf/gltf.hpp"
+#include "writer/gltf/scene_extras.hpp"
+
+namespace cloudgen::writer {
+namespace {
+
+using namespace gltf;
+
+/// The materials of the genera in the scene, each with its atlas, made when first asked for.
+class GenusMaterials {
+ public:
+  explicit GenusMaterials(GlbFile& file)
+      : file_(file),
+        textures_(base::dataDir() / "textures"),
+        atlases_(image::readSpriteManifest(textures_)) {}
+
+  const image::SpriteAtlas& atlas(base::Genus genus) const { return image::atlasOf(atlases_, genus); }
+
+  int material(base::Genus genus) {
+    const auto found = materials_.find(genus);
+    if (found != materials_.end()) return found->second;
+    const std::string name(base::abbreviation(genus));
+    const int texture = file_.addPngTexture(name, base::readFile(textures_ / atlas(genus).file, 64u << 20));
+    return materials_[genus] = file_.addCardMaterial(name, texture);
+  }
+
+ private:
+  GlbFile& file_;
+  std::filesystem::path textures_;
+  std::vector<image::SpriteAtlas> atlases_;
+  std::map<base::Genus, int> materials_;
+};
+
+/// The instances of each lit archetype, ascending.
+std::vector<std::vector<std::uint32_t>> instancesByLight(const scene::Scene& scene) {
+  std::vector<std::vector<std::uint32_t>> groups(scene.lit.size());
+  for (std::uint32_t i = 0; i < scene.instances.size(); ++i) groups[scene.instances[i].lit].push_back(i);
+  return groups;
+}
+
+/// Cards of one mesh have one alpha: that of their instances' mean optical-depth factor.
+float meanFactor(const scene::Scene& scene, const std::vector<std::uint32_t>& instances) {
+  double sum = 0;
+  for (const std::uint32_t i : instances) sum += scene.instances[i].opticalDepthFactor;
+  return static_cast<float>(sum / static_cast<double>(instances.size()));
+}
+
+int addCardMesh(GlbFile& file, const std::string& name, const CardMesh& mesh, int material) {
+  return file.addMesh(name, {.attributes = {{"POSITION", file.addFloats(3, mesh.positions, true)},
+                                            {"TEXCOORD_0", file.addFloats(2, mesh.textureBoxes)},
+                                            {"COLOR_0", file.addUnitShorts(mesh.colors)}},
+                             .indices = file.addIndices(mesh.indices),
+                             .material = material});
+}
+
+/// The middle of the instances in whole metres: places relative to it keep their precision.
+glm::dvec3 middleOf(const scene::Scene& scene, const std::vector<std::uint32_t>& instances) {
+  glm::dvec3 lower(1e30), upper(-1e30);
+  for (const std::uint32_t i : instances) {
+    lower = glm::min(lower, glm::dvec3(scene.instances[i].position));
+    upper = glm::max(upper, glm::dvec3(scene.instances[i].position));
+  }
+  return glm::round(0.5 * (lower + upper));
+}
+
+Attributes addPlaces(GlbFile& file, const scene::Scene& scene, const std::vector<std::uint32_t>& instances,
+                     const glm::dvec3& middle) {
+  std::vector<float> translations, rotations, scales;
+  for (const std::uint32_t i : instances) {
+    const scene::Instance& instance = scene.instances[i];
+    const glm::vec3 place(glm::dvec3(instance.position) - middle);
+    const glm::quat turn =
+        glm::angleAxis(scene::yawRadians(scene.lit[instance.lit].yawStep), glm::vec3(0, 1, 0));
+    translations.insert(translations.end(), {place.x, place.y, place.z});
+    rotations.insert(rotations.end(), {turn.x, turn.y, turn.z, turn.w});
+    scales.insert(scales.end(), 3, instance.scale);
+  }
+  return {{"TRANSLATION", file.addFloats(3, translations)},
+          {"ROTATION", file.addFloats(4, rotations)},
+          {"SCALE", file.addFloats(3, scales)}};
+}
+
+/// What the clouds of a node are, in the order of the node's instances.
+nlohmann::json cloudExtras(const scene::Scene& scene, const scene::Archetype& archetype,
+                           const std::vector<std::uint32_t>& instances) {
+  nlohmann::json ids = nlohmann::json::array();
+  for (const std::uint32_t i : instances)
+    if (i < scene.clouds.size()) ids.push_back(std::to_string(scene.clouds[i].id));
+  return {{"genus", base::abbreviation(archetype.genus)},
+          {"archetype", archetype.name},
+          {"clouds", std::move(ids)}};
+}
+
+void addGround(GlbFile& file, const scene::Scene& scene) {
+  const glm::dvec2 lower = scene.frame.lowerCorner(), upper = scene.frame.upperCorner(),
+                   middle = glm::round(0.5 * (lower + upper));
+  const glm::vec2 half(0.5 * (upper - lower)), shift(0.5 * (lower + upper) - middle);
+  const float west = shift.x - half.x, east = shift.x + half.x, north = shift.y - half.y,
+              south = shift.y + half.y;
+  const std::array<float, 12> corners{west, 0, south, east, 0, south, east, 0, north, west, 0, north};
+  const std::array<std::uint32_t, 6> triangles{0, 1, 2, 0, 2, 3};
+  const int mesh = file.addMesh("ground", {.attributes = {{"POSITION", file.addFloats(3, corners, true)}},
+                                           .indices = file.addIndices(triangles),
+                                           .material = file.addPlainMaterial("ground", scene.sky.ground)});
+  file.addNode(
+      {.name = "ground", .mesh = mesh, .translation = {middle.x, scene.groundHeightMeters, middle.y}});
+}
+
+}  // namespace
+
+void writeCards(const scene::Scene& scene, const Destination& destination) {
+  GlbFile file(sceneExtras(scene));
+  GenusMaterials materials(file);
+  addGround(file, scene);
+  const auto groups = instancesByLight(scene);
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    destination.progress.step("glb", static_cast<double>(g) / static_cast<double>(groups.size()));
+    const scene::LitArchetype& lit = scene.lit[g];
+    const scene::Archetype& archetype = scene.archetypes[lit.archetype];
+    if (groups[g].empty() || archetype.farPuffs.empty()) continue;
+    const std::string name = fmt::format("{} heading {}", archetype.name, lit.yawStep);
+    const CardMesh cards =
+        cardsOf(archetype, lit, meanFactor(scene, groups[g]), materials.atlas(archetype.genus));
+    const int mesh = addCardMesh(file, name, cards, materials.material(archetype.genus));
+    const glm::dvec3 middle = middleOf(scene, groups[g]);
+    const nlohmann::json extras = cloudExtras(scene, archetype, groups[g]);
+    file.addNode({.name = name,
+                  .mesh = mesh,
+                  .translation = middle,
+                  .extras = &extras,
+                  .instancing = addPlaces(file, scene, groups[g], middle)});
+  }
+  file.write(destination.folder / "scene.glb");
+  destination.progress.step("glb", 1);
+}
+
+}  // namespace cloudgen::writer

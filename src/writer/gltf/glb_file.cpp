@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "writer/gltf/glb_file.hpp"
+
+#include <tiny_gltf.h>
+
+#include <bit>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+
+namespace cloudgen::writer::gltf {
+namespace {
+
+static_assert(std::endian::native == std::endian::little,
+              "binary glTF is little-endian; this file copies memory as it is");
+
+constexpr const char* kInstancing = "EXT_mesh_gpu_instancing";
+constexpr const char* kUnlit = "KHR_materials_unlit";
+
+/// tinygltf's own value type. It knows no 64-bit integers: whoever needs one writes it as text.
+tinygltf::Value valueOf(const nlohmann::json& json) {
+  if (json.is_boolean()) return tinygltf::Value(json.get<bool>());
+  if (json.is_number_integer()) return tinygltf::Value(json.get<int>());
+  if (json.is_number()) return tinygltf::Value(json.get<double>());
+  if (json.is_string()) return tinygltf::Value(json.get<std::string>());
+  if (json.is_array()) {
+    tinygltf::Value::Array array;
+    for (const auto& element : json) array.push_back(valueOf(element));
+    return tinygltf::Value(std::move(array));
+  }
+  tinygltf::Value::Object object;
+  for (const auto& [key, element] : json.items()) object.emplace(key, valueOf(element));
+  return tinygltf::Value(std::move(object));
+}
+
+tinygltf::Value attributesValue(const Attributes& attributes) {
+  tinygltf::Value::Object object;
+  for (const auto& [semantic, accessor] : attributes) object.emplace(semantic, tinygltf::Value(accessor));
+  return tinygltf::Value(tinygltf::Value::Object{{"attributes", tinygltf::Value(std::move(object))}});
+}
+
+void append32(std::string& out, std::uint64_t value) {
+  for (int shift = 0; shift < 32; shift += 8) out += static_cast<char>(value >> shift & 0xff);
+}
+
+template <class T>
+int indexOfLast(const std::vector<T>& parts) {
+  return static_cast<int>(parts.size()) - 1;
+}
+
+}  // namespace
+
+struct GlbFile::Parts {
+  tinygltf::Model model;  // without its buffer: see write()
+  std::string binary;
+};
+
+GlbFile::GlbFile(const nlohmann::json& assetExtras) : parts_(std::make_unique<Parts>()) {
+  auto& model = parts_->model;
+  model.asset.version = "2.0";
+  model.asset.generator = "cloudgen";
+  model.asset.extras = valueOf(assetExtras);
+  model.scenes.emplace_back();
+  model.defaultScene = 0;
+}
+
+GlbFile::~GlbFile() = default;
+
+void GlbFile::reserve(std::uint64_t bytes) { parts_->binary.reserve(bytes); }
+
+int GlbFile::addView(const void* bytes, std::size_t count, int target) {
+  std::string& binary = parts_->binary;
+  binary.resize((binary.size() + 3) / 4 * 4, '\0');
+  tinygltf::BufferView view;
+  view.buffer = 0;
+  view.byteOffset = binary.size();
+  view.byteLength = count;
+  view.target = target;
+  binary.append(static_cast<const char*>(bytes), count);
+  parts_->model.bufferViews.push_back(std::move(view));
+  return indexOfLast(parts_->model.bufferViews);
+}
+
+int GlbFile::addFloats(int components, std::span<const float> values, bool withBounds) {
+  static constexpr std::array<int, 5> kTypes{0, TINYGLTF_TYPE_SCALAR, TINYGLTF_TYPE_VEC2, TINYGLTF_TYPE_VEC3,
+                                             TINYGLTF_TYPE_VEC4};
+  tinygltf::Accessor accessor;
+  accessor.bufferView = addView(values.data(), values.size_bytes(), TINYGLTF_TARGET_ARRAY_BUFFER);
+  accessor.componentType = TINYGLTF_COMPONENT_TYPE_FLOAT;
+  accessor.type = kTypes[static_cast<std::size_t>(components)];
+  const auto width = static_cast<std::size_t>(components);
+  accessor.count = values.size() / width;
+  if (withBounds) {
+    accessor.minValues.assign(width, std::numeric_limits<double>::max());
+    accessor.maxValues.assign(width, std::numeric_limits<double>::lowest());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      accessor.minValues[i % width] = std::min<double>(accessor.minValues[i % width], values[i]);
+      accessor.maxValues[i % width] = std::max<double>(accessor.maxValues[i % width], values[i]);
+    }
+  }
+  parts_->model.accessors.push_back(std::move(accessor));
+  return indexOfLast(parts_->model.accessors);
+}
+
+int GlbFile::addUnitBytes(std::span<const std::uint8_t> values) {
+  tinygltf::Accessor accessor;
+  accessor.bufferView = addView(values.data(), values.size_bytes(), TINYGLTF_TARGET_ARRAY_BUFFER);
+  accessor.componentType = TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE;
+  accessor.type = TINYGLTF_TYPE_VEC4;
+  accessor.normalized = true;
+  accessor.count = values.size() / 4;
+  parts_->model.accessors.push_back(std::move(accessor));
+  return indexOfLast(parts_->model.accessors);
+}
+
+int GlbFile::addUnitShorts(std::span<const std::uint16_t> values) {
+  tinygltf::Accessor accessor;
+  accessor.bufferView = addView(values.data(), values.size_bytes(), TINYGLTF_TARGET_ARRAY_BUFFER);
+  accessor.componentType = TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
+  accessor.type = TINYGLTF_TYPE_VEC4;
+  accessor.normalized = true;
+  accessor.count = values.size() / 4;
+  parts_->model.accessors.push_back(std::move(accessor));
+  return indexOfLast(parts_->model.accessors);
+}
+
+int GlbFile::addIndices(std::span<const std::uint32_t> values) {
+  tinygltf::Accessor accessor;
+  accessor.bufferView = addView(values.data(), values.size_bytes(), TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
+  accessor.componentType = TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
+  accessor.type = TINYGLTF_TYPE_SCALAR;
+  accessor.count = values.size();
+  parts_->model.accessors.push_back(std::move(accessor));
+  return indexOfLast(parts_->model.accessors);
+}
+
+int GlbFile::addPngTexture(const std::string& name, std::string_view png) {
+  auto& model = parts_->model;
+  if (model.samplers.empty()) {
+    tinygltf::Sampler sampler;
+    sampler.magFilter = TINYGLTF_TEXTURE_FILTER_LINEAR;
+    sampler.minFilter = TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR;
+    sampler.wrapS = sampler.wrapT = TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE;
+    model.samplers.push_back(sampler);
+  }
+  tinygltf::Image image;
+  image.name = name;
+  image.mimeType = "image/png";
+  image.bufferView = addView(png.data(), png.size(), 0);
+  model.images.push_back(std::move(image));
+  tinygltf::Texture texture;
+  texture.sampler = 0;
+  texture.source = indexOfLast(model.images);
+  model.textures.push_back(std::move(texture));
+  return indexOfLast(model.textures);
+}
+
+int GlbFile::addCardMaterial(const std::string& name, int texture) {
+  tinygltf::Material material;
+  material.name = name;
+  material.alphaMode = "BLEND";
+  material.doubleSided = true;
+  material.pbrMetallicRoughness.baseColorTexture.index = texture;
+  // What viewers without the extension fall back to: a rough, non-metallic surface.
+  material.pbrMetallicRoughness.metallicFactor = 0;
+  material.extensions[kUnlit] = tinygltf::Value(tinygltf::Value::Object{});
+  useExtension(kUnlit, false);
+  parts_->model.materials.push_back(std::move(material));
+  return indexOfLast(parts_->model.materials);
+}
+
+int GlbFile::addPlainMaterial(const std::string& name, glm::vec3 color) {
+  tinygltf::Material material;
+  material.name = name;
+  material.pbrMetallicRoughness.baseColorFactor = {color.x, color.y, color.z, 1.0};
+  material.pbrMetallicRoughness.metallicFactor = 0;
+  material.extensions[kUnlit] = tinygltf::Value(tinygltf::Value::Object{});
+  useExtension(kUnlit, false);
+  parts_->model.materials.push_back(std::move(material));
+  return indexOfLast(parts_->model.materials);
+}
+
+int GlbFile::addMesh(const std::string& name, const Primitive& primitive) {
+  tinygltf::Primitive out;
+  for (const auto& [semantic, accessor] : primitive.attributes) out.attributes[semantic] = accessor;
+  out.indices = primitive.indices;
+  out.material = primitive.material;
+  out.mode = primitive.points ? TINYGLTF_MODE_POINTS : TINYGLTF_MODE_TRIANGLES;
+  if (primitive.extensionValue) {
+    out.extensions[primitive.extension] = valueOf(*primitive.extensionValue);
+    useExtension(primitive.extension, false);
+  }
+  tinygltf::Mesh mesh;
+  mesh.name = name;
+  mesh.primitives.push_back(std::move(out));
+  parts_->model.meshes.push_back(std::move(mesh));
+  return indexOfLast(parts_->model.meshes);
+}
+
+int GlbFile::addNode(const Node& node) {
+  tinygltf::Node out;
+  out.name = node.name;
+  out.mesh = node.mesh;
+  if (node.translation != glm::dvec3(0))
+    out.translation = {node.translation.x, node.translation.y, node.translation.z};
+  if (node.extras) out.extras = valueOf(*node.extras);
+  if (!node.instancing.empty()) {
+    out.extensions[kInstancing] = attributesValue(node.instancing);
+    // Required: a viewer that ignored it would draw one cloud an archetype, all of them at the node's place.
+    useExtension(kInstancing, true);
+  }
+  auto& model = parts_->model;
+  model.nodes.push_back(std::move(out));
+  model.scenes[0].nodes.push_back(indexOfLast(model.nodes));
+  return indexOfLast(model.nodes);
+}
+
+void GlbFile::useExtension(const std::string& name, bool required) {
+  const auto addOnce = [&](std::vector<std::string>& names) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  };
+  addOnce(parts_->model.extensionsUsed);
+  if (required) addOnce(parts_->model.extensionsRequired);
+}
+
+std::uint64_t GlbFile::binaryBytes() const { return parts_->binary.size(); }
+
+// tinygltf makes the JSON; the container around it is made here. tinygltf 2.7 keeps the binary data twice
+// while it writes a GLB (the model's buffer and a copy of it) and does not look whether the stream took the
+// bytes.
+void GlbFile::write(const std::filesystem::path& file) const {
+  std::ostringstream stream;
+  tinygltf::TinyGLTF().WriteGltfSceneToStream(&parts_->model, stream, false, false);
+  auto document = nlohmann::json::parse(stream.str());
+  if (!parts_->binary.empty()) document["buffers"][0]["byteLength"] = parts_->binary.size();
+  std::string json = document.dump();
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+
+  const std::uint64_t padding = (4 - parts_->binary.size() % 4) % 4,
+                      binaryLength = parts_->binary.size() + padding;
+  const std::uint64_t total = 12 + 8 + json.size() + (binaryLength ? 8 + binaryLength : 0);
+  if (total > std::numeric_limits<std::uint32_t>::max())
+    throw base::OutputError(file.string(), fmt::format("would have {} bytes, over the 4 GiB of a GLB", total),
+                            "take a smaller --bbox or a lower --max-puffs");
+  std::string head = "glTF";
+  append32(head, 2);
+  append32(head, total);
+  append32(head, json.size());
+  head += "JSON";
+  std::string binaryHead;
+  if (binaryLength) {
+    append32(binaryHead, binaryLength);
+    binaryHead += std::string_view("BIN\0", 4);
+  }
+  const std::array<std::string_view, 5> pieces{head, json, binaryHead, parts_->binary,
+                                               std::string_view("\0\0\0", padding)};
+  base::writeFile(file, pieces);
+}
+
+}  // namespace cloudgen::writer::gltf

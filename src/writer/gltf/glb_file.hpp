@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace cloudgen::writer::gltf {
+
+/// Attribute semantics and the accessors that hold them.
+using Attributes = std::vector<std::pair<std::string, int>>;
+
+struct Primitive {
+  Attributes attributes;
+  int indices = -1, material = -1;
+  bool points = false;    ///< points, else triangles
+  std::string extension;  ///< name of its one extension, or empty
+  const nlohmann::json* extensionValue = nullptr;
+};
+
+struct Node {
+  std::string name;
+  int mesh = -1;
+  glm::dvec3 translation{0};
+  const nlohmann::json* extras = nullptr;
+  Attributes instancing;  ///< EXT_mesh_gpu_instancing, or empty
+};
+
+/// A binary glTF file in the making. Its parts are added one by one and referred to by their index, as in
+/// glTF itself. Everything is written little-endian and in the order in which it was added, so the bytes
+/// depend on nothing else.
+class GlbFile {
+ public:
+  /// `assetExtras` goes to asset.extras.
+  explicit GlbFile(const nlohmann::json& assetExtras);
+  ~GlbFile();
+  GlbFile(const GlbFile&) = delete;
+  GlbFile& operator=(const GlbFile&) = delete;
+
+  /// Tells how many bytes of binary data will come, at most, so that they are never moved.
+  void reserve(std::uint64_t bytes);
+
+  /// Tuples of `components` (1 to 4) floats. With `withBounds` the accessor gets min and max, as POSITION
+  /// needs.
+  int addFloats(int components, std::span<const float> values, bool withBounds = false);
+  /// Tuples of four values 0..255 or 0..65535 that stand for 0..1.
+  int addUnitBytes(std::span<const std::uint8_t> values);
+  int addUnitShorts(std::span<const std::uint16_t> values);
+  int addIndices(std::span<const std::uint32_t> values);
+
+  /// Embeds a PNG file; returns the texture, sampled linearly and clamped at its borders.
+  int addPngTexture(const std::string& name, std::string_view png);
+  /// Blended, two-sided and unlit, with a texture; colour and coverage come from COLOR_0 and the texture.
+  int addCardMaterial(const std::string& name, int texture);
+  /// Opaque and unlit, linear colour.
+  int addPlainMaterial(const std::string& name, glm::vec3 color);
+  int addMesh(const std::string& name, const Primitive& primitive);
+  int addNode(const Node& node);
+  void useExtension(const std::string& name, bool required);
+
+  std::uint64_t binaryBytes() const;
+  /// Writes the file, whole or not at all. Throws OutputError.
+  void write(const std::filesystem::path& file) const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+
+  int addView(const void* bytes, std::size_t count, int target);
+};
+
+}  // namespace cloudgen::writer::gltf

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "writer/format.hpp"
+
+namespace cloudgen::writer {
+
+/// Writes scene.splats.glb: every puff of every cloud as a Gaussian splat (KHR_gaussian_splatting, ratified
+/// text), lit by spherical harmonics of degree 0 and 1. One point primitive a tile (at most 16 tiles, at most
+/// 200,000 splats each) under a node at the tile's centre; splats in Morton order; those below an opacity of
+/// 0.004 are left out. Throws OutputError if the file cannot be written or would pass glTF's 4 GiB.
+void writeSplats(const scene::Scene& scene, const Destination& destination);
+
+/// Writes scene.glb: glTF 2.0 without splats. One mesh of crossed, textured, unlit cards a lit archetype,
+/// placed by EXT_mesh_gpu_instancing; sprite atlases from base::dataDir()/textures are embedded; a node
+/// "ground" is the ground. Throws InputError if a texture is missing, OutputError as above.
+void writeCards(const scene::Scene& scene, const Destination& destination);
+
+}  // namespace cloudgen::writer
