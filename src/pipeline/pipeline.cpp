@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+
 #include "field/collect.hpp"
 #include "pipeline/generalisation.hpp"
 #include "pipeline/location.hpp"
@@ -28,6 +30,13 @@ std::vector<field::Layer> layersFrom(const field::Source& source, const Origin& 
   outcome.derived.emplace_back("cover of a layer", "maximum overlap of its levels");
   outcome.derived.emplace_back("genus", "rules in the order of CDFS II: signature, extent, height");
   return locateLayers(columns);
+}
+
+/// Names without folders: a scene must not tell where it was made.
+std::vector<std::string> fileNames(const std::vector<std::string>& files) {
+  std::vector<std::string> names;
+  for (const std::string& file : files) names.push_back(std::filesystem::path(file).filename().string());
+  return names;
 }
 
 }  // namespace
@@ -58,7 +67,7 @@ Outcome run(const field::Source& source, const Options& options, const base::Pro
 
   progress.step("production", 0.4);
   outcome.scene = produce(table, origin, options, general, source.info().validTime, progress);
-  outcome.scene.provenance = {source.info().files, source.info().format, source.info().model,
+  outcome.scene.provenance = {fileNames(source.info().files), source.info().format, source.info().model,
                               source.info().run ? base::isoText(*source.info().run) : std::string()};
   outcome.warnings = source.info().warnings;
   outcome.warnings.insert(outcome.warnings.end(), origin.warnings.begin(), origin.warnings.end());

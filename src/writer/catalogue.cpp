@@ -5,11 +5,17 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "writer/gltf/gltf.hpp"
+#include "writer/page/page.hpp"
 
 namespace cloudgen::writer {
 
 std::span<const Format> formats() {
-  static const std::vector<Format> kFormats{};
+  static const std::vector<Format> kFormats{
+      {"splats", "Gaussian splats: glTF with KHR_gaussian_splatting", {"scene.splats.glb"}, writeSplats},
+      {"glb", "core glTF 2.0: instanced crossed cards", {"scene.glb"}, writeCards},
+      {"page", "a page that opens in any browser (shows the splats)", {"index.html"}, writePage},
+  };
   return kFormats;
 }
 

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "writer/page/page.hpp"
+
+#include <fstream>
+
+#include "base/data_dir.hpp"
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "writer/page/base64.hpp"
+#include "writer/page/page_data.hpp"
+
+namespace cloudgen::writer {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* kSplatsFile = "scene.splats.glb";
+constexpr std::string_view kSceneSlot = "id=\"cloudgen-scene\">";
+constexpr std::string_view kSplatsSlot = "id=\"cloudgen-splats\">";
+
+std::string viewerTemplate() {
+  const fs::path folder = base::viewerDir();
+  if (folder.empty())
+    throw base::NotBuiltError("--formats page", "the page was not built: npm was missing at build time",
+                              "install npm and build again, or leave page out of --formats");
+  return base::readFile(folder / "viewer.html");
+}
+
+/// Where the content of a slot goes: just behind its opening tag.
+std::size_t slotIn(const std::string& page, std::string_view slot) {
+  const std::size_t at = page.find(slot);
+  if (at == std::string::npos)
+    throw base::OutputError("viewer.html", "has no slot " + std::string(slot),
+                            "build the page again from its sources");
+  return at + slot.size();
+}
+
+/// Appends the file in base64, a megabyte or so at a time.
+void appendBase64(std::ostream& out, const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::string block(3u << 18, '\0');
+  while (in.read(block.data(), static_cast<std::streamsize>(block.size())) || in.gcount() > 0)
+    out << base64(std::string_view(block).substr(0, static_cast<std::size_t>(in.gcount())));
+  if (in.bad() || !in.eof())
+    throw base::OutputError(file.filename().string(), "cannot be read back for the page",
+                            "check the disk and run again");
+}
+
+}  // namespace
+
+void writePage(const scene::Scene& scene, const Destination& destination, std::uint64_t largestSplatsInPage) {
+  const fs::path splats = destination.folder / kSplatsFile;
+  std::error_code missing;
+  const std::uint64_t bytes = fs::file_size(splats, missing);
+  if (missing)
+    throw base::OutputError("index.html", "the page shows the splats, and they were not written",
+                            "add splats to --formats, as in --formats splats,page");
+  const std::string page = viewerTemplate();
+  const std::size_t sceneAt = slotIn(page, kSceneSlot), splatsAt = slotIn(page, kSplatsSlot);
+  if (splatsAt < sceneAt)
+    throw base::OutputError("viewer.html", "its slots stand in the wrong order",
+                            "build the page again from its sources");
+
+  const bool inside = bytes <= largestSplatsInPage;
+  destination.progress.step("page", 0);
+  const fs::path target = destination.folder / "index.html";
+  std::ofstream out(target, std::ios::binary | std::ios::trunc);
+  out << std::string_view(page).substr(0, sceneAt) << pageData(scene, bytes, inside ? "" : kSplatsFile)
+      << std::string_view(page).substr(sceneAt, splatsAt - sceneAt);
+  if (inside) appendBase64(out, splats);
+  out << std::string_view(page).substr(splatsAt);
+  out.close();
+  if (!out) {
+    std::error_code ignored;
+    fs::remove(target, ignored);
+    throw base::OutputError(target.string(), "cannot be written",
+                            "check the disk's free space and permissions");
+  }
+  destination.progress.step("page", 1);
+}
+
+void writePage(const scene::Scene& scene, const Destination& destination) {
+  writePage(scene, destination, kLargestSplatsInPage);
+}
+
+}  // namespace cloudgen::writer

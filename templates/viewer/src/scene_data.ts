@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+
+/** Linear red, green, blue; may exceed 1. */
+export type Color = [number, number, number];
+
+export interface GenusCount {
+  abbreviation: string;
+  name: string;
+  count: number;
+  color: string;
+  lowestBaseMeters: number;
+  highestTopMeters: number;
+}
+
+/** What the writer says about the scene, in the slot `cloudgen-scene`. Lengths in metres, x east, y up, z south. */
+export interface SceneData {
+  title: string;
+  validTime: string;
+  run: string;
+  model: string;
+  files: string[];
+  box: {west: number; south: number; east: number; north: number};
+  frame: {definition: string; lower: [number, number]; upper: [number, number]};
+  groundHeightMeters: number;
+  highestTopMeters: number;
+  sun: {azimuthDegrees: number; elevationDegrees: number; direction: Color; color: Color};
+  sky: {zenith: Color; horizon: Color; ground: Color};
+  counts: {clouds: number; puffs: number};
+  genera: GenusCount[];
+  splats: {bytes: number; file: string | null};
+}
+
+function slotText(id: string): string {
+  const text = document.getElementById(id)?.textContent?.trim() ?? '';
+  if (!text) throw new Error(`This page holds no scene (its slot "${id}" is empty). Make it with: cloudgen build … --formats splats,page`);
+  return text;
+}
+
+export function readScene(): SceneData {
+  return JSON.parse(slotText('cloudgen-scene')) as SceneData;
+}
+
+/** The bytes of a base64 text, decoded in slices so that no second copy of the whole text is made. */
+export function bytesFromBase64(text: string): Uint8Array<ArrayBuffer> {
+  const padding = text.endsWith('==') ? 2 : text.endsWith('=') ? 1 : 0;
+  const bytes = new Uint8Array((text.length / 4) * 3 - padding);
+  const slice = 4 * 65536;
+  let at = 0;
+  for (let start = 0; start < text.length; start += slice) {
+    const part = atob(text.slice(start, start + slice));
+    for (let i = 0; i < part.length; ++i) bytes[at++] = part.charCodeAt(i);
+  }
+  return bytes;
+}
+
+/** The GLB with the splats: from the page itself, or for very large scenes from the file beside it. */
+export async function readSplats(data: SceneData): Promise<ArrayBuffer> {
+  if (!data.splats.file) return bytesFromBase64(slotText('cloudgen-splats')).buffer;
+  if (location.protocol === 'file:')
+    throw new Error(
+      `This scene is too large to stand inside the page. Serve its folder (for example: python3 -m http.server) ` +
+        `and open index.html through that address; the page then reads ${data.splats.file} from beside it.`,
+    );
+  const answer = await fetch(data.splats.file);
+  if (!answer.ok) throw new Error(`${data.splats.file}: the server answered ${answer.status}`);
+  return answer.arrayBuffer();
+}
