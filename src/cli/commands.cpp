@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <array>
+#include <vector>
 
 #include "base/error.hpp"
 #include "cli/command.hpp"
@@ -23,15 +23,18 @@ std::function<int()> setupExplain(CLI::App& options, const Terminal&) { return n
 std::function<int()> setupMerge(CLI::App& options, const Terminal&) { return notBuilt(options); }
 
 std::span<const Command> commands() {
-  static constexpr std::array<Command, 7> kCommands{{
+  static const std::vector<Command> kCommands{
       {"build", "make a 3D sky from model output", setupBuild},
+      {"inspect", "what is in the input, what would be used, what is missing", setupInspect},
+      {"validate", "check scenes against the schema and the rules of the standard", setupValidate},
+      {"preview", "a picture of a written scene", setupPreview},
       {"textures", "make the sprite set", setupTextures},
       {"types", "the cloud types and their recipes", setupTypes},
       {"formats", "the output formats", setupFormats},
       {"verify", "compare a written scene with the model (not built yet)", setupVerify},
       {"explain", "why is this cloud there? (not built yet)", setupExplain},
       {"merge", "join shards into one scene (not built yet)", setupMerge},
-  }};
+  };
   return kCommands;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "shape/puff.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -12,8 +13,8 @@ float centralOpticalDepth(float extinctionPerMeter, float sigma) {
   return extinctionPerMeter * sigma * static_cast<float>(std::sqrt(2.0 * std::numbers::pi));
 }
 
-float meanOpticalDepth(const Puff& puff) {
-  return centralOpticalDepth(puff.extinctionPerMeter, std::cbrt(puff.sigma.x * puff.sigma.y * puff.sigma.z));
+float frontalOpticalDepth(const Puff& puff) {
+  return centralOpticalDepth(puff.extinctionPerMeter, std::min({puff.sigma.x, puff.sigma.y, puff.sigma.z}));
 }
 
 double extinctionArea(const Puff& puff) {

@@ -22,8 +22,9 @@ struct Puff {
 /// Optical depth through the centre along an axis with standard deviation s: extinction * s * sqrt(2 pi).
 float centralOpticalDepth(float extinctionPerMeter, float sigma);
 
-/// Optical depth of a puff through its centre, along the mean direction (geometric mean of the deviations).
-float meanOpticalDepth(const Puff& puff);
+/// Optical depth of a puff through its centre along its shortest axis: as it is seen at its broadest. What is drawn with
+/// one opacity for all directions takes this one, so that sheets seen from above and threads seen from the side are right.
+float frontalOpticalDepth(const Puff& puff);
 
 /// The integral of extinction over space, m2: extinction * (2 pi)^1.5 * product of the deviations.
 double extinctionArea(const Puff& puff);

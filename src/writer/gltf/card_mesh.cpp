@@ -21,7 +21,7 @@ glm::vec3 lightAt(const scene::Archetype& archetype, const scene::LitArchetype& 
   for (std::size_t i = 0; i < lit.puffs.size(); ++i) {
     const shape::Puff& puff = archetype.puffs[i];
     const glm::vec3 offset = (puff.center - place) / blurMeters;
-    const float weight = shape::meanOpticalDepth(puff) * std::exp(-0.5f * glm::dot(offset, offset));
+    const float weight = shape::frontalOpticalDepth(puff) * std::exp(-0.5f * glm::dot(offset, offset));
     sum += weight * lit.puffs[i].color;
     weights += weight;
   }
@@ -44,7 +44,7 @@ CardMesh cardsOf(const scene::Archetype& archetype, const scene::LitArchetype& l
     const glm::mat3 axes = glm::mat3_cast(puff.rotation);
     const glm::vec4 box = atlas.textureBox(puff.sprite % atlas.tiles());
     const float blurMeters = 0.7f * std::cbrt(puff.sigma.x * puff.sigma.y * puff.sigma.z);
-    const float alpha = -std::expm1(-shape::meanOpticalDepth(puff) * opticalDepthFactor / kCardsMet);
+    const float alpha = -std::expm1(-shape::frontalOpticalDepth(puff) * opticalDepthFactor / kCardsMet);
     for (const auto& [right, up] : kPlanes) {
       const auto first = static_cast<std::uint32_t>(mesh.positions.size() / 3);
       for (int row = 0; row <= kCells; ++row)

@@ -51,7 +51,7 @@ void shade(Splat& splat, const light::PuffLight& puffLight, const light::Sun& su
 }  // namespace
 
 float splatOpacity(const shape::Puff& placedPuff) {
-  return -std::expm1(-shape::meanOpticalDepth(placedPuff));
+  return -std::expm1(-shape::frontalOpticalDepth(placedPuff));
 }
 
 std::vector<scene::Tile> splatTiles(const scene::Scene& scene) {

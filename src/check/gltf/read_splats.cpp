@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "check/gltf/read_splats.hpp"
+
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <span>
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+
+namespace cloudgen::check {
+namespace {
+
+using nlohmann::json;
+
+constexpr int kFloat = 5126;
+constexpr std::size_t kHeaderBytes = 12, kChunkHeaderBytes = 8;
+
+/// The two chunks of a GLB and the accessors into them.
+class Glb {
+ public:
+  explicit Glb(const std::filesystem::path& file) : where_(file.string()), bytes_(base::readFile(file)) {
+    if (bytes_.size() < kHeaderBytes + kChunkHeaderBytes || bytes_.compare(0, 4, "glTF") != 0) fail("is not a GLB file");
+    const std::size_t jsonBytes = word(kHeaderBytes), binaryStart = kHeaderBytes + 2 * kChunkHeaderBytes + jsonBytes;
+    if (jsonBytes > bytes_.size() - kHeaderBytes - kChunkHeaderBytes) fail("is cut short in its JSON chunk");
+    try {
+      root_ = json::parse(std::string_view(bytes_).substr(kHeaderBytes + kChunkHeaderBytes, jsonBytes));
+    } catch (const json::exception& error) {
+      fail(std::string("has a broken JSON chunk (") + error.what() + ")");
+    }
+    if (binaryStart > bytes_.size()) return;
+    const std::size_t binaryBytes = word(binaryStart - kChunkHeaderBytes);
+    if (binaryBytes > bytes_.size() - binaryStart) fail("is cut short in its binary chunk");
+    binary_ = std::string_view(bytes_).substr(binaryStart, binaryBytes);
+  }
+
+  const json& root() const { return root_; }
+
+  /// The floats of an accessor of `components` floats each.
+  std::vector<float> floats(std::size_t accessorIndex, std::size_t components) const {
+    const json& accessor = root_.at("accessors").at(accessorIndex);
+    const json& view = root_.at("bufferViews").at(accessor.at("bufferView").get<std::size_t>());
+    const auto count = accessor.at("count").get<std::size_t>();
+    const std::size_t start = view.value("byteOffset", std::size_t{0}) + accessor.value("byteOffset", std::size_t{0});
+    if (accessor.at("componentType") != kFloat || view.contains("byteStride")) fail("has splat attributes that are not plain floats");
+    if (count > binary_.size() / 4 / components || start > binary_.size() || count * components * 4 > binary_.size() - start)
+      fail("has an accessor outside its binary chunk");
+    std::vector<float> values(count * components);
+    if (!values.empty()) std::memcpy(values.data(), binary_.data() + start, values.size() * 4);
+    return values;
+  }
+
+  [[noreturn]] void fail(const std::string& what) const {
+    throw base::InputError(where_, what, "name a scene.splats.glb that cloudgen wrote, or its folder");
+  }
+
+ private:
+  std::uint32_t word(std::size_t at) const {
+    std::uint32_t value;
+    std::memcpy(&value, bytes_.data() + at, 4);
+    return value;
+  }
+
+  std::string where_, bytes_;
+  std::string_view binary_;
+  json root_;
+};
+
+glm::vec3 triple(const std::vector<float>& values, std::size_t i) { return {values[3 * i], values[3 * i + 1], values[3 * i + 2]}; }
+
+void readPrimitive(const Glb& glb, const json& attributes, const glm::vec3& translation, std::vector<ReadSplat>& out) {
+  const auto column = [&](const std::string& name, std::size_t components) { return glb.floats(attributes.at(name), components); };
+  const std::string prefix = "KHR_gaussian_splatting:";
+  const auto positions = column("POSITION", 3), scales = column(prefix + "SCALE", 3), rotations = column(prefix + "ROTATION", 4);
+  const auto opacities = column(prefix + "OPACITY", 1), base = column(prefix + "SH_DEGREE_0_COEF_0", 3);
+  std::array<std::vector<float>, 3> harmonics;
+  const bool hasDegree1 = attributes.contains(prefix + "SH_DEGREE_1_COEF_0");
+  for (std::size_t k = 0; hasDegree1 && k < 3; ++k) harmonics[k] = column(prefix + "SH_DEGREE_1_COEF_" + std::to_string(k), 3);
+  const std::size_t count = opacities.size();
+  bool even = positions.size() == 3 * count && scales.size() == 3 * count && rotations.size() == 4 * count && base.size() == 3 * count;
+  for (const auto& values : harmonics) even = even && (!hasDegree1 || values.size() == 3 * count);
+  if (!even) glb.fail("has splat attributes of different lengths");
+  for (std::size_t i = 0; i < count; ++i) {
+    ReadSplat splat;
+    splat.center = triple(positions, i) + translation;
+    splat.sigma = triple(scales, i);
+    splat.rotation = glm::quat(rotations[4 * i + 3], rotations[4 * i], rotations[4 * i + 1], rotations[4 * i + 2]);
+    splat.opacity = opacities[i];
+    splat.color = triple(base, i) * 0.2820947917738781f + 0.5f;
+    for (std::size_t k = 0; hasDegree1 && k < 3; ++k) splat.harmonics[k] = triple(harmonics[k], i);
+    out.push_back(splat);
+  }
+}
+
+}  // namespace
+
+SplatFile readSplats(const std::filesystem::path& file) {
+  const Glb glb(file);
+  SplatFile out;
+  try {
+    const json& root = glb.root();
+    for (const json& node : root.value("nodes", json::array())) {
+      if (!node.contains("mesh")) continue;
+      glm::vec3 translation(0);
+      if (node.contains("translation"))
+        for (int axis = 0; axis < 3; ++axis) translation[axis] = node["translation"].at(static_cast<std::size_t>(axis));
+      for (const json& primitive : root.at("meshes").at(node["mesh"].get<std::size_t>()).at("primitives")) {
+        if (!primitive.contains("extensions") || !primitive["extensions"].contains("KHR_gaussian_splatting")) glb.fail("has a primitive without splats");
+        readPrimitive(glb, primitive.at("attributes"), translation, out.splats);
+      }
+    }
+    const json extras = root.value("asset", json::object()).value("extras", json::object());
+    if (extras.contains("sun")) {
+      out.sunAzimuthDegrees = extras["sun"].value("azimuth_degrees", out.sunAzimuthDegrees);
+      out.sunElevationDegrees = extras["sun"].value("elevation_degrees", out.sunElevationDegrees);
+    }
+  } catch (const json::exception& error) {
+    glb.fail(std::string("is not a splat file (") + error.what() + ")");
+  }
+  return out;
+}
+
+}  // namespace cloudgen::check

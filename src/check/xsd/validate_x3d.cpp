@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "check/xsd/validate_x3d.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+#include "base/data_dir.hpp"
+#include "check/rules/scene_checker.hpp"
+#include "check/xsd/xml_parser.hpp"
+
+namespace cloudgen::check {
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Elements that are no nodes.
+constexpr std::array<std::string_view, 17> kStatements{"X3D",
+                                                       "head",
+                                                       "component",
+                                                       "unit",
+                                                       "meta",
+                                                       "Scene",
+                                                       "ROUTE",
+                                                       "IMPORT",
+                                                       "EXPORT",
+                                                       "ProtoDeclare",
+                                                       "ExternProtoDeclare",
+                                                       "ProtoInterface",
+                                                       "ProtoBody",
+                                                       "field",
+                                                       "fieldValue",
+                                                       "IS",
+                                                       "connect"};
+
+bool isStatement(std::string_view name) {
+  return std::find(kStatements.begin(), kStatements.end(), name) != kStatements.end();
+}
+
+using Attributes = std::span<const XmlAttribute>;
+
+std::string_view value(Attributes attributes, std::string_view name) {
+  for (const XmlAttribute& attribute : attributes)
+    if (attribute.name == name) return attribute.value;
+  return {};
+}
+
+/// "4.0" to 40; 0 if it is no version.
+int versionFromText(std::string_view text) {
+  if (text.size() != 3 || text[1] != '.') return 0;
+  return (text[0] - '0') * 10 + (text[2] - '0');
+}
+
+/// Tells the scene checker what the XML encoding (ISO/IEC 19776-1) means.
+class X3dReader {
+ public:
+  X3dReader(FindingList& findings, const fs::path& folder) : checker_(findings, folder) {}
+
+  void start(std::string_view name, Position where, Attributes attributes) {
+    open_.push_back(isStatement(name) ? Kind::Statement : Kind::Node);
+    if (name == "ProtoBody") {
+      open_.back() = Kind::Scope;
+      checker_.beginScope();
+    }
+    if (open_.back() == Kind::Node)
+      startNode(name, where, attributes);
+    else if (open_.back() == Kind::Statement)
+      startStatement(name, where, attributes);
+  }
+
+  void end() {
+    if (open_.back() == Kind::Node) checker_.end();
+    if (open_.back() == Kind::Scope) checker_.endScope();
+    open_.pop_back();
+  }
+
+  void finish() { checker_.finish(); }
+
+ private:
+  enum class Kind { Statement, Node, Scope };
+
+  void startNode(std::string_view name, Position where, Attributes attributes) {
+    checker_.begin(name, where, value(attributes, "containerField"));
+    for (const XmlAttribute& attribute : attributes) {
+      if (attribute.name == "DEF") checker_.define(attribute.value, attribute.where);
+    }
+    for (const XmlAttribute& attribute : attributes) {
+      if (attribute.name == "USE")
+        checker_.use(attribute.value, attribute.where);
+      else if (attribute.name != "DEF")
+        checker_.field(attribute.name, attribute.value, attribute.where);
+    }
+  }
+
+  void startStatement(std::string_view name, Position where, Attributes attributes) {
+    if (name == "X3D")
+      checker_.document(versionFromText(value(attributes, "version")), value(attributes, "profile"), where);
+    if (name == "IMPORT") {
+      const std::string_view alias = value(attributes, "AS");
+      checker_.foreignName(alias.empty() ? value(attributes, "importedDEF") : alias);
+    }
+    if (name == "component") {
+      const std::string_view text = value(attributes, "level");
+      int level = 0;
+      std::from_chars(text.data(), text.data() + text.size(), level);
+      checker_.component(value(attributes, "name"), level);
+    }
+    const auto text = [&](std::string_view attribute) { return std::string(value(attributes, attribute)); };
+    if (name == "ROUTE")
+      checker_.route({text("fromNode"), text("fromField"), text("toNode"), text("toField"), where});
+  }
+
+  SceneChecker checker_;
+  std::vector<Kind> open_;
+};
+
+void validate(ByteSource& source, const XmlSchema& schema, const fs::path& folder, FindingList& findings,
+              const base::Progress& progress) {
+  X3dReader reader(findings, folder);
+  const XmlVisitor visitor{[&](std::string_view name, Position where, Attributes attributes) {
+                             reader.start(name, where, attributes);
+                           },
+                           [&] { reader.end(); }};
+  parseXml(source, schema, visitor, findings, progress);
+  reader.finish();
+}
+
+}  // namespace
+
+ValidationResult validateX3d(const fs::path& file, const std::optional<fs::path>& schema,
+                             const base::Progress& progress) {
+  ByteSource source(file);
+  const XmlSchema compiled(schema ? *schema : base::dataDir() / "schemas" / "cloudgen-x3d.xsd");
+  ValidationResult result;
+  FindingList findings(file.string(), result);
+  const fs::path folder = file.parent_path();
+  validate(source, compiled, folder.empty() ? fs::path(".") : folder, findings, progress);
+  return result;
+}
+
+ValidationResult validateX3dText(std::string_view text, const std::string& name, const fs::path& schema,
+                                 const fs::path& folder) {
+  ByteSource source(text);
+  const XmlSchema compiled(schema);
+  ValidationResult result;
+  FindingList findings(name, result);
+  validate(source, compiled, folder, findings, {});
+  return result;
+}
+
+}  // namespace cloudgen::check

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "check/xsd/xml_parser.hpp"
+
+#include <libxml/parser.h>
+#include <libxml/parserInternals.h>
+#include <libxml/xmlIO.h>
+#include <libxml/xmlschemas.h>
+
+#include <algorithm>
+#include <cstring>
+#include <exception>
+#include <mutex>
+
+#include "base/error.hpp"
+#include "check/xsd/xml_scanner.hpp"
+
+namespace cloudgen::check {
+namespace {
+
+void initOnce() {
+  static std::once_flag once;
+  std::call_once(once, [] {
+    xmlInitParser();
+    xmlSetExternalEntityLoader(xmlNoNetExternalEntityLoader);
+  });
+}
+
+std::string_view view(const xmlChar* text) {
+  return text ? reinterpret_cast<const char*>(text) : std::string_view{};
+}
+
+/// libxml2's message as one line without the regular expression of a pattern or a value of megabytes.
+std::string oneLine(const char* message) {
+  std::string line = message ? message : "";
+  if (const auto pattern = line.find("' is not accepted by the pattern '"); pattern != line.npos)
+    line.resize(pattern), line += "' has the wrong form.";
+  std::replace_if(
+      line.begin(), line.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
+  if (const auto value = line.find("The value '"); value != line.npos && line.size() > value + 120) {
+    const auto close = line.rfind("' ");
+    const std::string rest = close != line.npos && close > value + 11 ? line.substr(close) : "'";
+    line = line.substr(0, value + 60) + "..." + rest;
+  }
+  while (!line.empty() && line.back() == ' ') line.pop_back();
+  if (line.size() > 400) line = line.substr(0, 400) + "...";
+  return line;
+}
+
+/// One pass over one document: scanner, libxml2's parser and schema validator, and the visitor, in this
+/// order.
+struct Pass {
+  ByteSource& source;
+  const XmlVisitor& visitor;
+  FindingList& findings;
+  const base::Progress& progress;
+  XmlScanner scanner{};
+  std::string_view chunk{};
+  std::uint64_t given = 0, reported = 0;
+  TagPosition tag{};
+  std::vector<XmlAttribute> attributes{};
+  std::vector<std::string> prefixed{};
+  xmlParserCtxtPtr parser = nullptr;
+  std::exception_ptr failure{};
+  bool stopped = false;
+
+  void stop() {
+    stopped = true;
+    if (parser) xmlStopParser(parser);
+  }
+
+  int read(char* buffer, int length) {
+    if (stopped || length <= 0) return 0;
+    if (chunk.empty()) {
+      chunk = source.next();
+      if (const auto refusal = scanner.scan(chunk)) {
+        findings.error(refusal->where, refusal->rule, refusal->message, refusal->hint);
+        stop();
+        return 0;
+      }
+      if (given - reported > (4u << 20)) {
+        reported = given;
+        progress.step("validate", static_cast<double>(given) /
+                                      static_cast<double>(std::max<std::uint64_t>(source.size(), 1)));
+      }
+    }
+    const std::size_t count = std::min(chunk.size(), static_cast<std::size_t>(length));
+    std::memcpy(buffer, chunk.data(), count);
+    chunk.remove_prefix(count);
+    given += count;
+    return static_cast<int>(count);
+  }
+
+  Position parserPosition() const {
+    if (!parser || !parser->input) return {};
+    return {static_cast<std::uint64_t>(std::max(parser->input->line, 1)),
+            static_cast<std::uint64_t>(std::max(parser->input->col, 1))};
+  }
+
+  /// The next start tag has been parsed: the scanner, always ahead, knows where it stands.
+  void takeTag() {
+    auto& tags = scanner.tags();
+    if (tags.empty()) {
+      tag = {parserPosition(), {}};
+      return;
+    }
+    tag = std::move(tags.front());
+    tags.pop_front();
+  }
+
+  Position attributePosition(std::string_view name) const {
+    for (const auto& attribute : tag.attributes)
+      if (attribute.name == name) return attribute.where;
+    return tag.where;
+  }
+
+  void start(const xmlChar* localName, int count, const xmlChar** values) {
+    takeTag();
+    attributes.clear();
+    prefixed.clear();
+    prefixed.reserve(static_cast<std::size_t>(count));
+    for (int i = 0; i < count; ++i) {
+      const xmlChar** value = values + 5 * i;  // local name, prefix, namespace, begin, end
+      std::string_view name = view(value[0]);
+      if (value[1]) name = prefixed.emplace_back(std::string(view(value[1])) + ':' + std::string(name));
+      const char* begin = reinterpret_cast<const char*>(value[3]);
+      attributes.push_back(
+          {name, {begin, static_cast<std::size_t>(value[4] - value[3])}, attributePosition(name)});
+    }
+    ++findings.result().elements;
+    visitor.start(view(localName), tag.where, attributes);
+    if (findings.full()) stop();
+  }
+
+  void xmlProblem(const xmlError* error) {
+    if (stopped || !error) return;
+    const bool undeclared = error->code == XML_WAR_UNDECLARED_ENTITY;
+    if (error->level < XML_ERR_ERROR && !undeclared) return;
+    const Position where{static_cast<std::uint64_t>(std::max(error->line, 1)),
+                         static_cast<std::uint64_t>(std::max(error->int2, 1))};
+    if (undeclared || error->code == XML_ERR_UNDECLARED_ENTITY)
+      findings.error(where, "xml-entity", oneLine(error->message),
+                     "only &lt; &gt; &amp; &quot; &apos; and character numbers are read");
+    else
+      findings.error(where, "xml-malformed", oneLine(error->message),
+                     "mend the XML: nothing after this place was checked");
+    stop();
+  }
+
+  void schemaProblem(const xmlError* error) {
+    if (stopped || !error || error->level < XML_ERR_ERROR) return;
+    const std::string message = oneLine(error->message);
+    Position where = tag.where;
+    if (const auto at = message.find(", attribute '"); at != message.npos) {
+      const std::size_t begin = at + 13;
+      where = attributePosition(std::string_view(message).substr(begin, message.find('\'', begin) - begin));
+    }
+    findings.error(where, "schema", message, "see the X3D specification of the node, or the schema");
+    if (findings.full()) stop();
+  }
+};
+
+/// Calls a member of the pass from C: an exception waits there until the parser has returned.
+template <typename Body>
+void guarded(void* data, Body body) {
+  Pass& pass = *static_cast<Pass*>(data);
+  try {
+    body(pass);
+  } catch (...) {
+    if (!pass.failure) pass.failure = std::current_exception();
+    pass.stop();
+  }
+}
+
+int readChunk(void* data, char* buffer, int length) {
+  int count = 0;
+  guarded(data, [&](Pass& pass) { count = pass.read(buffer, length); });
+  return count;
+}
+
+void onStart(void* data, const xmlChar* name, const xmlChar*, const xmlChar*, int, const xmlChar**, int count,
+             int, const xmlChar** values) {
+  guarded(data, [&](Pass& pass) {
+    if (!pass.stopped) pass.start(name, count, values);
+  });
+}
+
+void onEnd(void* data, const xmlChar*, const xmlChar*, const xmlChar*) {
+  guarded(data, [](Pass& pass) {
+    if (!pass.stopped) pass.visitor.end();
+  });
+}
+
+void onXmlProblem(void*, xmlErrorPtr error) {
+  if (!error || !error->ctxt) return;
+  guarded(static_cast<xmlParserCtxtPtr>(error->ctxt)->_private, [&](Pass& pass) { pass.xmlProblem(error); });
+}
+
+void onSchemaProblem(void* data, xmlErrorPtr error) {
+  guarded(data, [&](Pass& pass) { pass.schemaProblem(error); });
+}
+
+struct Freed {
+  void operator()(xmlParserCtxtPtr parser) const {
+    if (parser->myDoc) xmlFreeDoc(parser->myDoc);
+    xmlFreeParserCtxt(parser);
+  }
+  void operator()(xmlSchemaValidCtxtPtr validator) const { xmlSchemaFreeValidCtxt(validator); }
+};
+
+/// Puts the validator between the parser and its handler while it lives.
+class Plug {
+ public:
+  Plug(xmlSchemaValidCtxtPtr validator, xmlParserCtxtPtr parser)
+      : plug_(xmlSchemaSAXPlug(validator, &parser->sax, &parser->userData)) {
+    if (!plug_) throw base::OutputError("validate", "memory ran out", "close other programs");
+    parser->sax->serror = onXmlProblem;
+  }
+  ~Plug() { xmlSchemaSAXUnplug(plug_); }
+  Plug(const Plug&) = delete;
+  Plug& operator=(const Plug&) = delete;
+
+ private:
+  xmlSchemaSAXPlugPtr plug_;
+};
+
+void ignoreMessage(void*, xmlErrorPtr) {}
+
+}  // namespace
+
+XmlSchema::XmlSchema(const std::filesystem::path& file) {
+  initOnce();
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error))
+    throw base::InputError(file.string(), "no such schema", "check the path of --schema");
+  const std::unique_ptr<xmlSchemaParserCtxt, decltype(&xmlSchemaFreeParserCtxt)> parser(
+      xmlSchemaNewParserCtxt(file.string().c_str()), xmlSchemaFreeParserCtxt);
+  if (parser) xmlSchemaSetParserStructuredErrors(parser.get(), ignoreMessage, nullptr);
+  // A schema that is not even XML reaches the global handler.
+  xmlSetStructuredErrorFunc(nullptr, ignoreMessage);
+  xmlSchemaPtr schema = parser ? xmlSchemaParse(parser.get()) : nullptr;
+  xmlSetStructuredErrorFunc(nullptr, nullptr);
+  if (!schema)
+    throw base::InputError(file.string(), "is not an XML Schema that libxml2 can compile",
+                           "see `xmllint --schema`");
+  schema_.reset(schema, [](void* handle) { xmlSchemaFree(static_cast<xmlSchemaPtr>(handle)); });
+}
+
+void parseXml(ByteSource& source, const XmlSchema& schema, const XmlVisitor& visitor, FindingList& findings,
+              const base::Progress& progress) {
+  initOnce();
+  Pass pass{source, visitor, findings, progress};
+  const std::unique_ptr<xmlSchemaValidCtxt, Freed> validator(
+      xmlSchemaNewValidCtxt(static_cast<xmlSchemaPtr>(const_cast<void*>(schema.handle()))));
+  xmlSAXHandler handler{};
+  handler.initialized = XML_SAX2_MAGIC;
+  handler.startElementNs = onStart;
+  handler.endElementNs = onEnd;
+  const std::unique_ptr<xmlParserCtxt, Freed> parser(
+      xmlCreateIOParserCtxt(&handler, &pass, readChunk, nullptr, &pass, XML_CHAR_ENCODING_NONE));
+  if (!validator || !parser) throw base::OutputError("validate", "memory ran out", "close other programs");
+  xmlCtxtUseOptions(parser.get(), XML_PARSE_NONET);
+  // xmlCtxtUseOptions and the plug copy handlers about: the pass is found again through the parser itself.
+  parser->_private = &pass;
+  pass.parser = parser.get();
+  xmlSchemaSetValidStructuredErrors(validator.get(), onSchemaProblem, &pass);
+  {
+    const Plug plug(validator.get(), parser.get());
+    xmlParseDocument(parser.get());
+  }
+  if (pass.failure) std::rethrow_exception(pass.failure);
+  findings.result().bytes = pass.given;
+  if (!parser->wellFormed && !pass.stopped)
+    findings.error(pass.parserPosition(), "xml-malformed", "this is no XML document",
+                   "is it the right file?");
+}
+
+}  // namespace cloudgen::check
