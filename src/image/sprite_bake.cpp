@@ -54,9 +54,9 @@ std::vector<float> densityVolume(const Texture& texture, std::uint64_t seed) {
         const double smooth = 0.5 + 0.7 * base::fractalNoise(q, 4, seed);
         const double round = 1.0 - 2.2 * (1.0 - base::billowNoise(q, 3, seed + 7));
         const double noise = smooth + texture.billow * (round - smooth);
-        const double body = std::exp(-2.6 * r2) * (1.0 - base::smoothStep(0.75, 1.0, std::sqrt(r2)));
+        const double body = std::exp(-2.2 * r2) * (1.0 - base::smoothStep(0.75, 1.0, std::sqrt(r2)));
         volume[(static_cast<size_t>(z) * kVolume + y) * kVolume + x] =
-            static_cast<float>(std::max(0.0, body - texture.erosion * (1.0 - body) * std::clamp(1.0 - noise, 0.0, 1.0)));
+            static_cast<float>(std::max(0.0, body - 1.5 * texture.erosion * (1.0 - body) * std::clamp(1.0 - noise, 0.0, 1.0)));
       }
   return volume;
 }
@@ -67,7 +67,7 @@ struct Texel {
 
 /// Looks through the volume along z; light comes from above (y up) and thins on its way down.
 std::vector<Texel> seenFromTheSide(const std::vector<float>& volume, double shading) {
-  const float step = 9.0f / kVolume;
+  const float step = 3.6f / kVolume;
   std::vector<Texel> texels(static_cast<size_t>(kVolume) * kVolume);
   for (int x = 0; x < kVolume; ++x) {
     std::vector<float> fromAbove(kVolume, 0.0f);
@@ -76,14 +76,15 @@ std::vector<Texel> seenFromTheSide(const std::vector<float>& volume, double shad
       for (int z = 0; z < kVolume; ++z) {
         const float density = volume[(static_cast<size_t>(z) * kVolume + y) * kVolume + x];
         const float absorbed = through * (1 - std::exp(-density * step));
-        light += absorbed * std::exp(-1.1f * fromAbove[z]);
+        light += absorbed * std::exp(-2.4f * fromAbove[z]);
         weight += absorbed;
         through -= absorbed;
         fromAbove[z] += density * step;
       }
       Texel& texel = texels[static_cast<size_t>(y) * kVolume + x];
       texel.alpha = 1 - through;
-      texel.light = weight > 1e-4f ? static_cast<float>(1.0 - shading * (1.0 - light / weight)) : 1.0f;
+      // Where hardly anything is seen the light fades into a mean, so that filtered edges keep their tone.
+      texel.light = static_cast<float>(1.0 - shading * (1.0 - (light + 0.6f * 0.02f) / (weight + 0.02f)));
     }
   }
   return texels;
