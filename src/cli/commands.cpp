@@ -23,7 +23,8 @@ std::function<int()> setupExplain(CLI::App& options, const Terminal&) { return n
 std::function<int()> setupMerge(CLI::App& options, const Terminal&) { return notBuilt(options); }
 
 std::span<const Command> commands() {
-  static constexpr std::array<Command, 3> kCommands{{
+  static constexpr std::array<Command, 4> kCommands{{
+      {"inspect", "what is in the input, what would be used, what is missing", setupInspect},
       {"verify", "compare a written scene with the model (not built yet)", setupVerify},
       {"explain", "why is this cloud there? (not built yet)", setupExplain},
       {"merge", "join shards into one scene (not built yet)", setupMerge},
