@@ -4,6 +4,7 @@
 #include <eccodes.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -37,45 +38,46 @@ codes_context* quietContext() {
 
 }  // namespace
 
-Handle::Handle(const FieldLocation& location) : location_(location), bytes_(readField(location)) {
-  codes_context* context = quietContext();
-  grib_handle* handle = nullptr;
-  try {
-    handle = codes_handle_new_from_message(context, bytes_.data(), bytes_.size());
-  } catch (const base::InputError& error) {
-    fail(error.problem());
-  }
-  if (!handle) fail("cannot be decoded by ecCodes");
-  handle_ = std::shared_ptr<grib_handle>(handle, [](grib_handle* h) { codes_handle_delete(h); });
-}
-
 void Handle::fail(const std::string& what) const {
   throw base::InputError(location_.name(), what, "fetch the file again");
 }
 
-std::optional<long> Handle::integerIfAny(const char* key) const {
-  long value = 0;
+/// Runs a step of ecCodes; a failed assertion in it becomes an error that names this message.
+template <class Step>
+auto Handle::guarded(const Step& step) const {
   try {
-    if (codes_is_missing(handle_.get(), key, nullptr) ||
-        codes_get_long(handle_.get(), key, &value) != CODES_SUCCESS)
-      return std::nullopt;
+    return step();
   } catch (const base::InputError& error) {
     fail(error.problem());
   }
-  return value;
+}
+
+Handle::Handle(const FieldLocation& location) : location_(location), bytes_(readField(location)) {
+  codes_context* context = quietContext();
+  grib_handle* handle =
+      guarded([&] { return codes_handle_new_from_message(context, bytes_.data(), bytes_.size()); });
+  if (!handle) fail("cannot be decoded by ecCodes");
+  handle_ = std::shared_ptr<grib_handle>(handle, [](grib_handle* h) { codes_handle_delete(h); });
+}
+
+bool Handle::present(const char* key) const {
+  int code = CODES_SUCCESS;
+  const int missing = codes_is_missing(handle_.get(), key, &code);
+  return code == CODES_SUCCESS && !missing;
+}
+
+std::optional<long> Handle::integerIfAny(const char* key) const {
+  long value = 0;
+  const bool read =
+      guarded([&] { return present(key) && codes_get_long(handle_.get(), key, &value) == CODES_SUCCESS; });
+  return read ? std::optional(value) : std::nullopt;
 }
 
 std::optional<double> Handle::numberIfAny(const char* key) const {
   double value = 0;
-  try {
-    if (codes_is_missing(handle_.get(), key, nullptr) ||
-        codes_get_double(handle_.get(), key, &value) != CODES_SUCCESS)
-      return std::nullopt;
-  } catch (const base::InputError& error) {
-    fail(error.problem());
-  }
-  if (!std::isfinite(value)) return std::nullopt;
-  return value;
+  const bool read =
+      guarded([&] { return present(key) && codes_get_double(handle_.get(), key, &value) == CODES_SUCCESS; });
+  return read && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
 long Handle::integer(const char* key) const {
@@ -93,32 +95,25 @@ double Handle::number(const char* key) const {
 std::string Handle::text(const char* key) const {
   std::array<char, 512> buffer{};
   std::size_t length = buffer.size();
-  try {
-    if (codes_get_string(handle_.get(), key, buffer.data(), &length) != CODES_SUCCESS) return "unknown";
-  } catch (const base::InputError& error) {
-    fail(error.problem());
-  }
+  const int code = guarded([&] { return codes_get_string(handle_.get(), key, buffer.data(), &length); });
+  if (code != CODES_SUCCESS) return "unknown";
   buffer.back() = '\0';
   return buffer.data();
 }
 
 std::vector<double> Handle::values(std::size_t count) const {
   constexpr double kMissing = -1e100;
-  std::vector<double> values;
-  try {
+  std::vector<double> values(count);
+  std::size_t stated = 0, read = count;
+  const int code = guarded([&] {
     codes_set_double(handle_.get(), "missingValue", kMissing);
-    std::size_t stated = 0;
-    if (const int code = codes_get_size(handle_.get(), "values", &stated); code != CODES_SUCCESS)
-      fail(fmt::format("has damaged data ({})", codes_get_error_message(code)));
-    if (stated != count) fail(fmt::format("holds {} values where its grid has {} points", stated, count));
-    values.resize(count);
-    std::size_t length = count;
-    const int code = codes_get_double_array(handle_.get(), "values", values.data(), &length);
-    if (code != CODES_SUCCESS) fail(fmt::format("has damaged data ({})", codes_get_error_message(code)));
-    if (length != count) fail(fmt::format("holds {} values where its grid has {} points", length, count));
-  } catch (const base::InputError& error) {
-    fail(error.problem());
-  }
+    const int sized = codes_get_size(handle_.get(), "values", &stated);
+    if (sized != CODES_SUCCESS || stated != count) return sized;
+    return codes_get_double_array(handle_.get(), "values", values.data(), &read);
+  });
+  if (code != CODES_SUCCESS) fail(fmt::format("has damaged data ({})", codes_get_error_message(code)));
+  if (stated != count || read != count)
+    fail(fmt::format("holds {} values where its grid has {} points", std::min(stated, read), count));
   for (double& value : values)
     if (value == kMissing || !std::isfinite(value)) value = std::numeric_limits<double>::quiet_NaN();
   return values;

@@ -33,6 +33,9 @@ class Handle {
 
  private:
   [[noreturn]] void fail(const std::string& what) const;
+  template <class Step>
+  auto guarded(const Step& step) const;
+  bool present(const char* key) const;
 
   FieldLocation location_;
   std::string bytes_;

@@ -100,14 +100,14 @@ class Scanner {
     const std::size_t before = fields_.size();
     for (std::uint64_t offset = start_ + kIndicator2; offset < end;) {
       const std::string head = bytes(offset, std::min<std::uint64_t>(6, end - offset));
-      if (head.size() < 6) damaged("has a section cut short");
+      if (head.size() < 5) damaged("has a section cut short");
       const Part section{offset, bigEndian(std::string_view(head).substr(0, 4))};
       const int number = static_cast<unsigned char>(head[4]);
       if (number < 1 || number > 7 || section.length < 5 || section.length > end - offset)
         damaged(fmt::format("has a damaged section at byte {}", offset));
       latest[static_cast<std::size_t>(number)] = section;
       // A field may refer to a bitmap given before (indicator 254).
-      if (number == 6 && static_cast<unsigned char>(head[5]) == 254) latest[6] = bitmap;
+      if (number == 6 && head.size() > 5 && static_cast<unsigned char>(head[5]) == 254) latest[6] = bitmap;
       if (number == 6) bitmap = latest[6];
       if (number == 7) keepField(latest);
       offset += section.length;
