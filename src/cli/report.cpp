@@ -9,7 +9,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-double rounded(double value, double unit) { return std::round(value / unit) * unit; }
+double rounded(double value, double perUnit) { return std::round(value * perUnit) / perUnit; }
 
 ordered_json generaOf(const scene::Scene& scene) {
   ordered_json genera = ordered_json::object();
@@ -54,19 +54,19 @@ ordered_json reportOf(const field::Source& source, const pipeline::Outcome& outc
   report["bbox"] = {box.west, box.south, box.east, box.north};
   report["frame"] = {{"kind", "local"}, {"definition", scene.frame.definition()}, {"origin", {box.west, box.south}}, {"axes", "x east, y up, z south, metres"},
                      {"ground_m", scene.groundHeightMeters}};
-  report["sun"] = {{"azimuth", rounded(scene.sun.azimuthDegrees, 0.01)}, {"elevation", rounded(scene.sun.elevationDegrees, 0.01)}};
+  report["sun"] = {{"azimuth", rounded(scene.sun.azimuthDegrees, 100)}, {"elevation", rounded(scene.sun.elevationDegrees, 100)}};
   report["seed"] = scene.seed;
   report["counts"] = {{"columns", outcome.columns}, {"cells", outcome.cells}, {"layers", outcome.layers}, {"patches", outcome.patches},
                       {"clouds", scene.clouds.size()}, {"puffs", scene::drawnPuffs(scene)}, {"archetypes", scene.archetypes.size()}, {"tiles", 1}};
   report["genera"] = generaOf(scene);
   report["rules"] = rulesOf(scene);
-  report["enlargement"] = rounded(outcome.enlargement, 0.001);
+  report["enlargement"] = rounded(outcome.enlargement, 1000);
   report["derived"] = ordered_json::array();
   for (const auto& [what, how] : outcome.derived) report["derived"].push_back({{"what", what}, {"how", how}});
   report["warnings"] = outcome.warnings;
   report["files"] = filesIn(folder);
   report["timings_seconds"] = ordered_json::object();
-  for (const auto& [stage, seconds] : timingsSeconds) report["timings_seconds"][stage] = rounded(seconds, 0.001);
+  for (const auto& [stage, seconds] : timingsSeconds) report["timings_seconds"][stage] = rounded(seconds, 1000);
   return report;
 }
 

@@ -87,8 +87,10 @@ glm::vec3 Backdrop::colorAlong(const glm::dvec3& eye, const glm::dvec3& directio
   const glm::dvec3 point = eye + direction * distance;
   const double coarse = base::fractalNoise({point.x / 9000.0, 0.5, point.z / 9000.0}, 5, 101);
   const double fine = distance < 40000 ? base::fractalNoise({point.x / 420.0, 0.5, point.z / 420.0}, 3, 103) : 0.0;
-  glm::vec3 ground = surroundings_.sky.ground * static_cast<float>(1.0 + 0.55 * coarse + 0.25 * fine);
-  ground = glm::mix(ground, glm::vec3(1.35f, 1.1f, 0.8f) * ground, static_cast<float>(base::smoothStep(-0.1, 0.5, coarse)));
+  // Relief of the ground fades where a pixel would hold many patches of it.
+  const double seen = 1.0 / (1.0 + std::pow(distance / 150000.0, 2.0));
+  glm::vec3 ground = surroundings_.sky.ground * static_cast<float>(1.0 + 0.45 * seen * coarse + 0.2 * fine);
+  ground = glm::mix(ground, glm::vec3(1.2f, 1.05f, 0.85f) * ground, static_cast<float>(seen * base::smoothStep(-0.1, 0.5, coarse)));
   const float lit = std::exp(-0.55f * shadowAt(point.x, point.z));
   ground *= 0.38f + 0.72f * lit;
   return glm::mix(hazeColor(direction), light::srgbFromLinear(ground), clarity(eye, point));

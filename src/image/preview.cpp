@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
+#include <glm/vec4.hpp>
 #include <numeric>
 
 #include "base/error.hpp"
@@ -111,6 +112,20 @@ void drawTile(Picture& picture, const View& view, const Backdrop& backdrop, cons
     }
 }
 
+/// The middle of the densest of 24 x 24 squares: centroid of its splats by opacity.
+glm::dvec3 densestPlace(std::span<const Splat> splats, const glm::dvec3& lower, double across) {
+  constexpr int kSquares = 24;
+  std::vector<glm::dvec4> squares(kSquares * kSquares, glm::dvec4(0));
+  for (const Splat& splat : splats) {
+    const auto square = [&](double value) { return std::clamp(static_cast<int>(value / across * kSquares), 0, kSquares - 1); };
+    const double weight = splat.opacity * std::max(splat.sigma.x, splat.sigma.z);
+    squares[static_cast<size_t>(square(splat.center.z - lower.z) * kSquares + square(splat.center.x - lower.x))] +=
+        weight * glm::dvec4(glm::dvec3(splat.center), 1);
+  }
+  const auto best = std::max_element(squares.begin(), squares.end(), [](const auto& a, const auto& b) { return a.w < b.w; });
+  return best->w > 0 ? glm::dvec3(*best) / best->w : glm::dvec3(lower);
+}
+
 }  // namespace
 
 Picture render(std::span<const Splat> splats, const Camera& camera, const Surroundings& surroundings, const base::Progress& progress) {
@@ -169,8 +184,9 @@ Camera cameraFor(std::string_view name, std::span<const Splat> splats, const Sur
     const glm::dvec3 sun(surroundings.sun.direction);
     glm::dvec3 away = glm::dvec3(sun.x * 0.4 - sun.z * 0.9, 0, sun.z * 0.4 + sun.x * 0.9);
     away /= std::max(1e-9, glm::length(away));
-    camera.eye = glm::dvec3(mean.x, ground + 20, mean.z) + away * std::min(1.9 * upper.y + 2000.0, 0.8 * across + 3000);
-    camera.target = glm::dvec3(mean.x, std::min(0.55 * upper.y, mean.y * 1.1), mean.z);
+    const glm::dvec3 crowd = densestPlace(splats, lower, across);
+    camera.eye = glm::dvec3(crowd.x, ground + 20, crowd.z) + away * std::min(2.2 * crowd.y + 4000.0, 0.8 * across + 3000);
+    camera.target = glm::dvec3(crowd.x, std::min(0.6 * upper.y, crowd.y * 1.2), crowd.z);
     camera.verticalFieldDegrees = 55;
   } else if (name == "horizon") {
     camera.eye = {mean.x, 1.15 * upper.y + 0.05 * across, upper.z + 0.12 * across};

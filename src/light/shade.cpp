@@ -19,7 +19,20 @@ float scatteredShare(float opticalDepth) {
   return sum / total;
 }
 
+namespace {
+
+constexpr float kSun = 0.84f, kSky = 0.40f;
+
+/// As a photographer exposes: a cloud face square to the sun comes out just white, whatever the hour.
+float exposureFor(const Lighting& lighting) {
+  const glm::vec3 brightest = 1.05f * kSun * lighting.sunColor + kSky * lighting.sky.ambient;
+  return 1.08f / glm::dot(brightest, glm::vec3(0.2126f, 0.7152f, 0.0722f));
+}
+
+}  // namespace
+
 std::vector<PuffLight> shadePuffs(std::span<const shape::Puff> puffs, const ExtinctionGrid& grid, const Lighting& lighting, float shading) {
+  const float exposure = exposureFor(lighting);
   std::vector<PuffLight> lights(puffs.size());
   for (size_t i = 0; i < puffs.size(); ++i) {
     const shape::Puff& puff = puffs[i];
@@ -33,17 +46,17 @@ std::vector<PuffLight> shadePuffs(std::span<const shape::Puff> puffs, const Exti
     const float surface = strength / (strength + 0.8f * here + 1e-9f);
     const glm::vec3 normal = strength > 0 ? -gradient / strength : glm::vec3(0, 1, 0);
     const float facing = 0.5f + 0.5f * glm::dot(normal, lighting.sunDirection);
-    const float relief = glm::mix(1.0f, 0.34f + 0.78f * facing * facing, shading * std::min(1.0f, 1.6f * surface));
+    const float relief = glm::mix(1.0f, 0.40f + 0.70f * facing, shading * std::min(1.0f, 1.6f * surface));
     const float open = glm::mix(1.0f, 0.72f + 0.38f * (0.5f + 0.5f * normal.y), shading * std::min(1.0f, 1.6f * surface));
 
     // Similarity (van de Hulst 1980): strongly forward scattering acts as isotropic scattering at (1 - g) tau, g = 0.85.
-    const float reduced = 0.17f;
+    const float reduced = 0.15f;
     const float sun = glm::mix(scatteredShare(0.3f * reduced * toSun), scatteredShare(reduced * toSun), shading);
     const float sky = 0.30f + 0.70f * std::exp(-0.05f * shading * up);
     const float ground = std::exp(-0.10f * down);
-    const glm::vec3 radiance = 0.84f * lighting.sunColor * (sun * relief) + 0.40f * lighting.sky.ambient * (sky * open) +
+    const glm::vec3 radiance = kSun * lighting.sunColor * (sun * relief) + kSky * lighting.sky.ambient * (sky * open) +
                                0.6f * lighting.sky.bounce * ground;
-    lights[i].color = radiance;
+    lights[i].color = exposure * radiance;
     lights[i].forward = 0.24f * std::exp(-0.6f * toSun);
   }
   return lights;

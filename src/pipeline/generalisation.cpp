@@ -50,17 +50,41 @@ double coveredSquareMeters(const shape::Recipe& recipe, double widthMeters) {
   return spacing * spacing;
 }
 
+double meanWidthMeters(const Generalisation& general, const shape::Recipe& recipe, double depthMeters) {
+  const double natural = naturalWidthMeters(recipe, depthMeters);
+  return std::min(natural * general.enlargement, std::max(natural, general.widestMeters));
+}
+
 Generalisation generalise(const field::Grid& grid, std::span<const field::Layer> layers, const Options& options, const base::GeoBox& box) {
-  double coarsest = 0;
-  for (const field::Layer& layer : layers) {
-    const shape::Recipe& recipe = options.recipes.of(layer.genus);
-    const double area = layer.fraction * shareInside(grid, layer.cell, box) * field::cellAreaSquareMeters(grid, layer.cell);
-    coarsest += fewestPuffs(recipe) * area / coveredSquareMeters(recipe, naturalWidthMeters(recipe, layer.depthMeters()));
-  }
-  const double budget = static_cast<double>(std::max<std::uint64_t>(options.maxPuffs, 1000));
   Generalisation out;
-  out.enlargement = std::max(1.0, std::sqrt(coarsest / budget));
-  const double richness = std::clamp(budget / std::max(coarsest, 1.0), 1.0, 400.0);
+  std::vector<double> areas;
+  double cellArea = 0;
+  for (const field::Layer& layer : layers) {
+    const double area = field::cellAreaSquareMeters(grid, layer.cell);
+    areas.push_back(layer.fraction * shareInside(grid, layer.cell, box) * area);
+    cellArea = std::max(cellArea, area);
+  }
+  out.widestMeters = 0.5 * std::sqrt(cellArea);
+  const auto coarsestPuffs = [&](double enlargement) {
+    out.enlargement = enlargement;
+    double puffs = 0;
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+      const shape::Recipe& recipe = options.recipes.of(layers[i].genus);
+      puffs += fewestPuffs(recipe) * areas[i] / coveredSquareMeters(recipe, meanWidthMeters(out, recipe, layers[i].depthMeters()));
+    }
+    return puffs;
+  };
+  const double budget = static_cast<double>(options.maxPuffs);
+  double enough = 1;
+  if (coarsestPuffs(1) > budget) {
+    double tooFew = 1;
+    enough = 1000;
+    for (int i = 0; i < 40; ++i) {
+      const double middle = std::sqrt(tooFew * enough);
+      (coarsestPuffs(middle) > budget ? tooFew : enough) = middle;
+    }
+  }
+  const double richness = std::clamp(budget / std::max(coarsestPuffs(enough), 1.0), 1.0, 400.0);
   for (const base::Genus genus : base::allGenera())
     out.puffsPerCloud[static_cast<size_t>(genus)] = static_cast<int>(fewestPuffs(options.recipes.of(genus)) * richness);
   return out;

@@ -95,7 +95,7 @@ void placeClouds(const field::Grid& grid, const Options& options, const Generali
   for (std::uint32_t index = 0; index < table.layers.size(); ++index) {
     const Layer& layer = table.layers[index];
     const shape::Recipe& recipe = options.recipes.of(layer.genus);
-    const double width = general.enlargement * naturalWidthMeters(recipe, layer.depthMeters());
+    const double width = meanWidthMeters(general, recipe, layer.depthMeters());
     const double area = layer.fraction * field::cellAreaSquareMeters(grid, layer.cell);
     const double expected = area / coveredSquareMeters(recipe, width);
     const int count = wholeCount(expected, options.seed, layer);

@@ -6,7 +6,47 @@
 
 namespace cloudgen::shape {
 
+namespace {
+
+constexpr double kFlatAspect = 0.3;
+
+/// A cloud much wider than tall stands for a field of heaps: domes side by side that cover its footprint.
+RawShape shapeHeapField(const Recipe& recipe, const ShapeRequest& request) {
+  base::RandomStream places(request.seed, request.variant, base::Purpose::SectionPlace);
+  base::RandomStream fills(request.seed, request.variant, base::Purpose::BillboardPlace);
+  const double width = request.widthMeters, depth = request.depthMeters;
+  const double natural = std::pow(width / (1.6 * depth), 2.0);
+  const int domes = std::clamp(static_cast<int>(std::min(natural, request.puffs / 5.0)), 3, 400);
+  const Placement disc{CoordinateSystem::Conical, PlacementVariant::Uniform, 0.45 * width, 1};
+  const auto feet = place(disc, domes, places);
+  RawShape shape;
+  double owed = 0;
+  for (int i = 0; i < domes; ++i) {
+    const double relative = places.uniform(0.6, 1.35);
+    const double radius = 0.52 * width / std::sqrt(static_cast<double>(domes)) * relative;
+    const double top = depth * std::clamp(0.75 * relative * places.uniform(0.75, 1.2), 0.3, 1.0);
+    owed += static_cast<double>(request.puffs) / domes * relative * relative;
+    const int share = std::max(2, static_cast<int>(owed));
+    owed -= share;
+    for (const glm::dvec3& p : place({CoordinateSystem::HalfSpherical, PlacementVariant::Uniform}, share, fills)) {
+      Puff puff;
+      const double sigma = std::min(0.42, 0.75 / std::cbrt(static_cast<double>(share))) * radius * fills.uniform(0.8, 1.2);
+      const double sigmaY = std::min(sigma * recipe.flattening, 0.22 * top);
+      puff.center = glm::dvec3(feet[i].x + p.x * 0.75 * radius + request.tilt * p.y * top,
+                               std::clamp(0.9 * p.y * top, 1.5 * sigmaY, std::max(1.5 * sigmaY, top - 1.5 * sigmaY)), feet[i].z + p.z * 0.75 * radius);
+      puff.sigma = glm::vec3(sigma, sigmaY, sigma);
+      puff.extinctionPerMeter = static_cast<float>(0.7 + 0.5 * p.y);
+      puff.section = static_cast<std::uint16_t>(i);
+      shape.puffs.push_back(puff);
+    }
+  }
+  return shape;
+}
+
+}  // namespace
+
 RawShape shapeHeap(const Recipe& recipe, const ShapeRequest& request) {
+  if (request.depthMeters < kFlatAspect * request.widthMeters) return shapeHeapField(recipe, request);
   const double width = request.widthMeters, depth = request.depthMeters;
   base::RandomStream places(request.seed, request.variant, base::Purpose::SectionPlace);
   base::RandomStream fills(request.seed, request.variant, base::Purpose::BillboardPlace);
