@@ -141,8 +141,8 @@ int GlbFile::addPngTexture(const std::string& name, std::string_view png) {
   auto& model = parts_->model;
   if (model.samplers.empty()) {
     tinygltf::Sampler sampler;
-    sampler.magFilter = TINYGLTF_TEXTURE_FILTER_LINEAR;
-    sampler.minFilter = TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR;
+    // No mipmaps: their small levels mix the sprites of an atlas, and a card seen edge-on would become a hard line.
+    sampler.magFilter = sampler.minFilter = TINYGLTF_TEXTURE_FILTER_LINEAR;
     sampler.wrapS = sampler.wrapT = TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE;
     model.samplers.push_back(sampler);
   }
