@@ -10,7 +10,8 @@ namespace cloudgen::test {
 
 /// A heap of `puffs` round puffs, dark below and bright above, 1 km wide and 500 m high.
 inline scene::Archetype heap(const std::string& name, base::Genus genus, int puffs) {
-  scene::Archetype archetype{.name = name, .genus = genus, .widthMeters = 1000, .depthMeters = 1000, .opticalDepth = 12};
+  scene::Archetype archetype{
+      .name = name, .genus = genus, .widthMeters = 1000, .depthMeters = 1000, .opticalDepth = 12};
   base::RandomStream random(1, 2, base::Purpose::Test);
   for (int i = 0; i < puffs; ++i) {
     const glm::dvec3 direction = random.direction();
@@ -35,7 +36,11 @@ inline scene::Archetype heap(const std::string& name, base::Genus genus, int puf
 
 /// Two long fibres, one of them too thin to be seen.
 inline scene::Archetype fibres() {
-  scene::Archetype archetype{.name = "Ci_1", .genus = base::Genus::Cirrus, .widthMeters = 3000, .depthMeters = 400, .opticalDepth = 0.3f};
+  scene::Archetype archetype{.name = "Ci_1",
+                             .genus = base::Genus::Cirrus,
+                             .widthMeters = 3000,
+                             .depthMeters = 400,
+                             .opticalDepth = 0.3f};
   shape::Puff puff;
   puff.center = glm::vec3(100, 20, -30);
   puff.sigma = glm::vec3(700, 30, 80);
@@ -49,7 +54,8 @@ inline scene::Archetype fibres() {
   return archetype;
 }
 
-inline scene::LitArchetype lit(const scene::Scene& scene, std::uint32_t index, int yawStep, glm::vec3 tint = glm::vec3(1)) {
+inline scene::LitArchetype lit(const scene::Scene& scene, std::uint32_t index, int yawStep,
+                               glm::vec3 tint = glm::vec3(1)) {
   const scene::Archetype& archetype = scene.archetypes[index];
   scene::LitArchetype out{.archetype = index, .yawStep = yawStep};
   const auto lightOf = [&](const shape::Puff& puff) {
@@ -61,8 +67,9 @@ inline scene::LitArchetype lit(const scene::Scene& scene, std::uint32_t index, i
   return out;
 }
 
-/// About 14 km east to west and 22 km north to south: a grey field of heaps in rows, a red heap in the south-west corner, a green one
-/// in the north-east, a blue one high in the south-east, and fibres above the middle.
+/// About 14 km east to west and 22 km north to south: a grey field of heaps in rows, a red heap in the
+/// south-west corner, a green one in the north-east, a blue one high in the south-east, and fibres above the
+/// middle.
 inline scene::Scene gltfScene(int puffsOfHeap = 60, int rows = 4) {
   scene::Scene scene{.frame = base::LocalFrame({10.0, 50.0, 10.2, 50.2})};
   scene.validTime = base::utcFromCivil(2026, 6, 21, 14);
@@ -72,19 +79,29 @@ inline scene::Scene gltfScene(int puffsOfHeap = 60, int rows = 4) {
   scene.provenance = {{"model.grib2"}, "GRIB2", "ICON-D2", "2026-06-21T12:00:00Z"};
   scene.groundHeightMeters = 20;
   scene.archetypes = {heap("Cu_1", base::Genus::Cumulus, puffsOfHeap), fibres()};
-  scene.lit = {lit(scene, 0, 0), lit(scene, 0, 3), lit(scene, 1, 5), lit(scene, 0, 1, {1, 0.15f, 0.1f}),
-               lit(scene, 0, 2, {0.1f, 1, 0.15f}), lit(scene, 0, 7, {0.1f, 0.2f, 1})};
+  scene.lit = {lit(scene, 0, 0),
+               lit(scene, 0, 3),
+               lit(scene, 1, 5),
+               lit(scene, 0, 1, {1, 0.15f, 0.1f}),
+               lit(scene, 0, 2, {0.1f, 1, 0.15f}),
+               lit(scene, 0, 7, {0.1f, 0.2f, 1})};
   const glm::dvec2 lower = scene.frame.lowerCorner(), upper = scene.frame.upperCorner();
-  const auto add = [&](std::uint32_t index, double eastward, double northward, float height, float scale, float factor) {
-    const glm::vec3 place(lower.x + eastward * (upper.x - lower.x), height, upper.y - northward * (upper.y - lower.y));
+  const auto add = [&](std::uint32_t index, double eastward, double northward, float height, float scale,
+                       float factor) {
+    const glm::vec3 place(lower.x + eastward * (upper.x - lower.x), height,
+                          upper.y - northward * (upper.y - lower.y));
     scene.instances.push_back({index, place, scale, factor});
     const base::Genus genus = scene.archetypes[scene.lit[index].archetype].genus;
-    scene.clouds.push_back({.id = 0x8000000000000001u + scene.clouds.size(), .genus = genus, .rule = "test",
-                            .baseMeters = height, .topMeters = height + 500 * scale});
+    scene.clouds.push_back({.id = 0x8000000000000001u + scene.clouds.size(),
+                            .genus = genus,
+                            .rule = "test",
+                            .baseMeters = height,
+                            .topMeters = height + 500 * scale});
   };
   for (int row = 0; row < rows; ++row)
     for (int column = 0; column < rows; ++column)
-      add((row + column) % 2, 0.3 + 0.4 * column / rows, 0.3 + 0.4 * row / rows, 1000, 0.8f + 0.1f * row, 1 + 0.2f * column);
+      add((row + column) % 2, 0.3 + 0.4 * column / rows, 0.3 + 0.4 * row / rows, 1000, 0.8f + 0.1f * row,
+          1 + 0.2f * column);
   add(3, 0.05, 0.05, 1000, 2, 1);
   add(4, 0.95, 0.95, 1000, 2, 1);
   add(5, 0.95, 0.05, 4000, 2, 1);

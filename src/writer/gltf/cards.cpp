@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <glm/common.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <nlohmann/json.hpp>
 

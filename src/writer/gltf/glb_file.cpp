@@ -42,6 +42,15 @@ tinygltf::Value attributesValue(const Attributes& attributes) {
   return tinygltf::Value(tinygltf::Value::Object{{"attributes", tinygltf::Value(std::move(object))}});
 }
 
+/// Viewers without the extension fall back to a rough, non-metallic surface.
+tinygltf::Material unlitMaterial(const std::string& name) {
+  tinygltf::Material material;
+  material.name = name;
+  material.pbrMetallicRoughness.metallicFactor = 0;
+  material.extensions[kUnlit] = tinygltf::Value(tinygltf::Value::Object{});
+  return material;
+}
+
 void append32(std::string& out, std::uint64_t value) {
   for (int shift = 0; shift < 32; shift += 8) out += static_cast<char>(value >> shift & 0xff);
 }
@@ -105,44 +114,39 @@ int GlbFile::addFloats(int components, std::span<const float> values, bool withB
   return indexOfLast(parts_->model.accessors);
 }
 
-int GlbFile::addUnitBytes(std::span<const std::uint8_t> values) {
+int GlbFile::addIntegers(const void* bytes, std::size_t count, int width, int type, int target) {
   tinygltf::Accessor accessor;
-  accessor.bufferView = addView(values.data(), values.size_bytes(), TINYGLTF_TARGET_ARRAY_BUFFER);
-  accessor.componentType = TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE;
-  accessor.type = TINYGLTF_TYPE_VEC4;
-  accessor.normalized = true;
-  accessor.count = values.size() / 4;
+  accessor.componentType = width == 1   ? TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE
+                           : width == 2 ? TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT
+                                        : TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
+  accessor.bufferView = addView(bytes, count * static_cast<std::size_t>(width), target);
+  accessor.type = type;
+  accessor.normalized = type == TINYGLTF_TYPE_VEC4;
+  accessor.count = type == TINYGLTF_TYPE_VEC4 ? count / 4 : count;
   parts_->model.accessors.push_back(std::move(accessor));
   return indexOfLast(parts_->model.accessors);
+}
+
+int GlbFile::addUnitBytes(std::span<const std::uint8_t> values) {
+  return addIntegers(values.data(), values.size(), 1, TINYGLTF_TYPE_VEC4, TINYGLTF_TARGET_ARRAY_BUFFER);
 }
 
 int GlbFile::addUnitShorts(std::span<const std::uint16_t> values) {
-  tinygltf::Accessor accessor;
-  accessor.bufferView = addView(values.data(), values.size_bytes(), TINYGLTF_TARGET_ARRAY_BUFFER);
-  accessor.componentType = TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
-  accessor.type = TINYGLTF_TYPE_VEC4;
-  accessor.normalized = true;
-  accessor.count = values.size() / 4;
-  parts_->model.accessors.push_back(std::move(accessor));
-  return indexOfLast(parts_->model.accessors);
+  return addIntegers(values.data(), values.size(), 2, TINYGLTF_TYPE_VEC4, TINYGLTF_TARGET_ARRAY_BUFFER);
 }
 
 int GlbFile::addIndices(std::span<const std::uint32_t> values) {
-  tinygltf::Accessor accessor;
-  accessor.bufferView = addView(values.data(), values.size_bytes(), TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
-  accessor.componentType = TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
-  accessor.type = TINYGLTF_TYPE_SCALAR;
-  accessor.count = values.size();
-  parts_->model.accessors.push_back(std::move(accessor));
-  return indexOfLast(parts_->model.accessors);
+  return addIntegers(values.data(), values.size(), 4, TINYGLTF_TYPE_SCALAR,
+                     TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
 }
 
 int GlbFile::addPngTexture(const std::string& name, std::string_view png) {
   auto& model = parts_->model;
   if (model.samplers.empty()) {
     tinygltf::Sampler sampler;
-    sampler.magFilter = TINYGLTF_TEXTURE_FILTER_LINEAR;
-    sampler.minFilter = TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR;
+    // No mipmaps: their small levels mix the sprites of an atlas, and a card seen edge-on would become a hard
+    // line.
+    sampler.magFilter = sampler.minFilter = TINYGLTF_TEXTURE_FILTER_LINEAR;
     sampler.wrapS = sampler.wrapT = TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE;
     model.samplers.push_back(sampler);
   }
@@ -159,25 +163,18 @@ int GlbFile::addPngTexture(const std::string& name, std::string_view png) {
 }
 
 int GlbFile::addCardMaterial(const std::string& name, int texture) {
-  tinygltf::Material material;
-  material.name = name;
+  tinygltf::Material material = unlitMaterial(name);
   material.alphaMode = "BLEND";
   material.doubleSided = true;
   material.pbrMetallicRoughness.baseColorTexture.index = texture;
-  // What viewers without the extension fall back to: a rough, non-metallic surface.
-  material.pbrMetallicRoughness.metallicFactor = 0;
-  material.extensions[kUnlit] = tinygltf::Value(tinygltf::Value::Object{});
   useExtension(kUnlit, false);
   parts_->model.materials.push_back(std::move(material));
   return indexOfLast(parts_->model.materials);
 }
 
 int GlbFile::addPlainMaterial(const std::string& name, glm::vec3 color) {
-  tinygltf::Material material;
-  material.name = name;
+  tinygltf::Material material = unlitMaterial(name);
   material.pbrMetallicRoughness.baseColorFactor = {color.x, color.y, color.z, 1.0};
-  material.pbrMetallicRoughness.metallicFactor = 0;
-  material.extensions[kUnlit] = tinygltf::Value(tinygltf::Value::Object{});
   useExtension(kUnlit, false);
   parts_->model.materials.push_back(std::move(material));
   return indexOfLast(parts_->model.materials);

@@ -75,6 +75,8 @@ class GlbFile {
   std::unique_ptr<Parts> parts_;
 
   int addView(const void* bytes, std::size_t count, int target);
+  /// `count` unsigned integers of `width` bytes; as VEC4 they stand for 0..1.
+  int addIntegers(const void* bytes, std::size_t count, int width, int type, int target);
 };
 
 }  // namespace cloudgen::writer::gltf

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <glm/geometric.hpp>
+
+#include "base/error.hpp"
+#include "support/glb_reader.hpp"
+#include "support/gltf_scene.hpp"
+#include "writer/gltf/card_mesh.hpp"
+#include "writer/gltf/gltf.hpp"
+
+namespace cloudgen::writer {
+namespace {
+
+/// A data folder with one atlas of 2 x 2 sprites a genus; the pictures are not looked at by the writer.
+class Cards : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::filesystem::create_directories(data_.path() / "templates");
+    std::filesystem::create_directories(data_.path() / "textures");
+    nlohmann::json manifest;
+    for (const auto genus : base::allGenera()) {
+      const std::string file = std::string(base::name(genus)) + ".png";
+      manifest["atlases"].push_back({{"genus", base::abbreviation(genus)},
+                                     {"file", file},
+                                     {"columns", 2},
+                                     {"rows", 2},
+                                     {"tile_pixels", 64}});
+      std::ofstream(data_.path() / "textures" / file, std::ios::binary) << "\x89PNG of " << base::name(genus);
+    }
+    std::ofstream(data_.path() / "textures" / "manifest.json") << manifest;
+    ::setenv("CLOUDGEN_DATA", data_.path().c_str(), 1);
+  }
+  void TearDown() override { ::unsetenv("CLOUDGEN_DATA"); }
+
+  test::Glb written(const scene::Scene& scene) {
+    writeCards(scene, {out_.path(), {}});
+    return test::Glb(test::bytesOf(out_.path() / "scene.glb"));
+  }
+
+  test::ScratchFolder data_, out_;
+};
+
+TEST_F(Cards, EveryCloudIsAnInstanceAtItsPlace) {
+  const scene::Scene scene = test::gltfScene();
+  const test::Glb glb = written(scene);
+  std::map<std::string, glm::vec3> placeOf;
+  for (std::size_t i = 0; i < scene.instances.size(); ++i)
+    placeOf[std::to_string(scene.clouds[i].id)] = scene.instances[i].position;
+  for (const auto& node : glb.json["nodes"]) {
+    if (node["name"] == "ground") continue;
+    const auto& attributes = node["extensions"]["EXT_mesh_gpu_instancing"]["attributes"];
+    const auto translations = glb.values(attributes["TRANSLATION"]),
+               rotations = glb.values(attributes["ROTATION"]), scales = glb.values(attributes["SCALE"]);
+    ASSERT_EQ(node["extras"]["clouds"].size() * 3, translations.size());
+    EXPECT_EQ(rotations.size() / 4, scales.size() / 3);
+    for (std::size_t i = 0; i < translations.size() / 3; ++i) {
+      const auto found = placeOf.find(node["extras"]["clouds"][i]);
+      ASSERT_NE(found, placeOf.end());
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        EXPECT_NEAR(translations[3 * i + axis] + node["translation"][axis].get<double>(),
+                    found->second[static_cast<int>(axis)], 0.01);
+      placeOf.erase(found);
+    }
+  }
+  EXPECT_TRUE(placeOf.empty());
+}
+
+TEST_F(Cards, ViewersWithoutInstancingRefuseInsteadOfDrawingAWrongScene) {
+  const test::Glb glb = written(test::gltfScene());
+  EXPECT_EQ(glb.json["extensionsRequired"], nlohmann::json({"EXT_mesh_gpu_instancing"}));
+  EXPECT_EQ(glb.json["extensionsUsed"], nlohmann::json({"KHR_materials_unlit", "EXT_mesh_gpu_instancing"}));
+}
+
+TEST_F(Cards, MaterialsAreUnlitBlendedAndCarryTheirGenus) {
+  const test::Glb glb = written(test::gltfScene());
+  std::vector<std::string> names;
+  for (const auto& material : glb.json["materials"]) {
+    names.push_back(material["name"]);
+    EXPECT_TRUE(material["extensions"].contains("KHR_materials_unlit"));
+    if (names.back() == "ground") continue;
+    EXPECT_EQ(material["alphaMode"], "BLEND");
+    EXPECT_EQ(material["doubleSided"], true);
+    const auto& texture =
+        glb.json["textures"][material["pbrMetallicRoughness"]["baseColorTexture"]["index"].get<int>()];
+    const auto& image = glb.json["images"][texture["source"].get<int>()];
+    const auto& view = glb.json["bufferViews"][image["bufferView"].get<int>()];
+    EXPECT_EQ(image["mimeType"], "image/png");
+    EXPECT_EQ(glb.binary.substr(view["byteOffset"], view["byteLength"]),
+              "\x89PNG of " + std::string(names.back() == "Cu" ? "cumulus" : "cirrus"));
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"ground", "Cu", "Ci"}));
+}
+
+TEST_F(Cards, MeshesAreSoundAndBrighterOnTop) {
+  const scene::Scene scene = test::gltfScene();
+  const image::SpriteAtlas atlas{.columns = 2, .rows = 2, .tilePixels = 64};
+  const auto mesh = gltf::cardsOf(scene.archetypes[0], scene.lit[0], 1, atlas);
+  const std::size_t vertices = mesh.positions.size() / 3;
+  EXPECT_EQ(vertices, 4u * 3 * 9);
+  EXPECT_EQ(mesh.textureBoxes.size(), 2 * vertices);
+  EXPECT_EQ(mesh.colors.size(), 4 * vertices);
+  for (const auto index : mesh.indices) EXPECT_LT(index, vertices);
+  for (const float coordinate : mesh.textureBoxes) EXPECT_TRUE(coordinate > 0 && coordinate < 1);
+  std::size_t lowest = 0, highest = 0;
+  for (std::size_t i = 0; i < vertices; ++i) {
+    if (mesh.positions[3 * i + 1] < mesh.positions[3 * lowest + 1]) lowest = i;
+    if (mesh.positions[3 * i + 1] > mesh.positions[3 * highest + 1]) highest = i;
+  }
+  EXPECT_GT(mesh.colors[4 * highest], mesh.colors[4 * lowest]);
+  // The picture stands upright: higher on the card is nearer to the upper edge of the sprite (v grows
+  // downwards).
+  EXPECT_LT(mesh.textureBoxes[2 * 6 + 1], mesh.textureBoxes[1]);
+  EXPECT_GT(mesh.positions[3 * 6 + 1], mesh.positions[1]);
+}
+
+TEST_F(Cards, TwoCardsTogetherHideWhatThePuffHides) {
+  const scene::Scene scene = test::gltfScene();
+  const auto mesh =
+      gltf::cardsOf(scene.archetypes[1], scene.lit[2], 1.5f, {.columns = 2, .rows = 2, .tilePixels = 64});
+  const double seenThrough = 1 - mesh.colors[3] / 65535.0;
+  EXPECT_NEAR(seenThrough * seenThrough,
+              std::exp(-1.5 * shape::meanOpticalDepth(scene.archetypes[1].farPuffs[0])), 1e-3);
+}
+
+TEST_F(Cards, TheGroundLiesUnderTheBox) {
+  const scene::Scene scene = test::gltfScene();
+  const test::Glb glb = written(scene);
+  const auto& node = glb.json["nodes"][0];
+  ASSERT_EQ(node["name"], "ground");
+  EXPECT_EQ(node["translation"][1], 20.0);
+  const auto& accessor =
+      glb.json["accessors"]
+              [glb.json["meshes"][node["mesh"].get<int>()]["primitives"][0]["attributes"]["POSITION"]
+                   .get<int>()];
+  EXPECT_NEAR(accessor["min"][0].get<double>() + node["translation"][0].get<double>(),
+              scene.frame.lowerCorner().x, 0.01);
+  EXPECT_NEAR(accessor["max"][2].get<double>() + node["translation"][2].get<double>(),
+              scene.frame.upperCorner().y, 0.01);
+}
+
+TEST_F(Cards, SameSceneSameBytes) {
+  writeCards(test::gltfScene(), {out_.path(), {}});
+  const std::string first = test::bytesOf(out_.path() / "scene.glb");
+  writeCards(test::gltfScene(), {out_.path(), {}});
+  EXPECT_EQ(test::bytesOf(out_.path() / "scene.glb"), first);
+}
+
+TEST_F(Cards, NameTheMissingTexture) {
+  std::filesystem::remove(data_.path() / "textures" / "cumulus.png");
+  try {
+    written(test::gltfScene());
+    FAIL();
+  } catch (const base::InputError& error) {
+    EXPECT_NE(error.where().find("cumulus.png"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace cloudgen::writer
