@@ -35,7 +35,7 @@ int fewestPuffs(const shape::Recipe& recipe) {
 double naturalWidthMeters(const shape::Recipe& recipe, double depthMeters) {
   const auto within = [&](double width) { return std::clamp<double>(width, recipe.widthMeters.low, recipe.widthMeters.high); };
   switch (recipe.form) {
-    case shape::Form::Heap: return within(1.5 * depthMeters);
+    case shape::Form::Heap: return within(0.85 * depthMeters);
     case shape::Form::Tower: return within(1.9 * depthMeters);
     case shape::Form::Cells: return within(22.0 * depthMeters);
     case shape::Form::Veil: return within(25.0 * depthMeters);
