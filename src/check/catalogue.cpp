@@ -5,13 +5,15 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "check/gltf/validate_glb.hpp"
 #include "check/xsd/validate_x3d.hpp"
 
 namespace cloudgen::check {
 
 std::span<const FileKind> fileKinds() {
-  static constexpr std::array<FileKind, 1> kKinds{{
+  static constexpr std::array<FileKind, 2> kKinds{{
       {".x3d", "X3D in XML encoding", validateX3d},
+      {".glb", "binary glTF 2.0", validateGlb},
   }};
   return kKinds;
 }
