@@ -4,13 +4,17 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 
 namespace cloudgen::check {
 namespace {
 
+using Json = nlohmann::json;
 using Count = std::uint64_t;
+
+constexpr int kDepthLimit = 64;
 
 std::optional<Count> integer(const Json& object, const char* key) {
   const auto found = object.is_object() ? object.find(key) : object.end();
@@ -327,9 +331,18 @@ class Checker {
 
 }  // namespace
 
-void checkGltfDocument(const Json& document, std::string_view binary, bool hasBinary, FindingList& findings,
+void checkGltfDocument(std::string_view json, std::string_view binary, bool hasBinary, FindingList& findings,
                        const base::Progress& progress) {
-  Checker(document, binary, hasBinary, findings, progress).run();
+  bool tooDeep = false;
+  const auto limitDepth = [&](int depth, Json::parse_event_t, Json&) {
+    tooDeep |= depth > kDepthLimit;
+    return !tooDeep;
+  };
+  const Json document = Json::parse(json, limitDepth, false);
+  if (!tooDeep && document.is_object()) return Checker(document, binary, hasBinary, findings, progress).run();
+  findings.error({}, "gltf-json",
+                 tooDeep ? "the JSON is nested too deep" : "the first chunk is no JSON object",
+                 "write it again");
 }
 
 }  // namespace cloudgen::check
