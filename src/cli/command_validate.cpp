@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <exception>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -45,9 +45,25 @@ nlohmann::ordered_json jsonOf(const std::string& file, const check::ValidationRe
 }
 
 std::string summary(std::size_t files, std::size_t invalid, std::size_t errors, std::size_t warnings) {
-  const std::string counts = fmt::format("{} errors, {} warnings", errors, warnings);
+  const std::string counts = fmt::format("{} error{}, {} warning{}", errors, errors == 1 ? "" : "s", warnings,
+                                         warnings == 1 ? "" : "s");
   return invalid == 0 ? fmt::format("{} of {} valid ({})", files, files, counts)
                       : fmt::format("{} of {} not valid ({})", invalid, files, counts);
+}
+
+/// A file that cannot be read is a finding too, so that the others are still checked; the first such failure
+/// is kept.
+check::ValidationResult validated(const std::string& file, const std::optional<std::filesystem::path>& schema,
+                                  const base::Progress& progress, std::exception_ptr& unreadable) {
+  try {
+    return check::validateFile(file, schema, progress);
+  } catch (const base::InputError& error) {
+    if (!unreadable) unreadable = std::current_exception();
+    check::ValidationResult result;
+    result.findings.push_back(
+        {check::Severity::Error, error.where(), 0, 0, "unreadable", error.problem(), error.hint()});
+    return result;
+  }
 }
 
 int run(const Options& options, const Terminal& terminal) {
@@ -56,8 +72,9 @@ int run(const Options& options, const Terminal& terminal) {
   const base::Progress progress = terminal.progress();
   nlohmann::ordered_json report{{"files", nlohmann::ordered_json::array()}};
   std::size_t invalid = 0, errors = 0, warnings = 0;
+  std::exception_ptr unreadable;
   for (const std::string& file : options.files) {
-    const check::ValidationResult result = check::validateFile(file, schema, progress);
+    const check::ValidationResult result = validated(file, schema, progress, unreadable);
     for (const check::Finding& finding : result.findings) {
       ++(finding.severity == check::Severity::Error ? errors : warnings);
       if (!options.json) print(check::text(finding));
@@ -71,6 +88,7 @@ int run(const Options& options, const Terminal& terminal) {
     print(dumped(report));
   else if (!terminal.quiet)
     print(summary(options.files.size(), invalid, errors, warnings));
+  if (unreadable) std::rethrow_exception(unreadable);
   return invalid == 0 ? 0 : static_cast<int>(base::Failure::Output);
 }
 

@@ -7,7 +7,6 @@
 
 #include "base/data_dir.hpp"
 #include "check/rules/scene_checker.hpp"
-#include "check/xsd/xml_parser.hpp"
 
 namespace cloudgen::check {
 namespace fs = std::filesystem;
@@ -138,13 +137,12 @@ ValidationResult validateX3d(const fs::path& file, const std::optional<fs::path>
   return result;
 }
 
-ValidationResult validateX3dText(std::string_view text, const std::string& name, const fs::path& schema,
+ValidationResult validateX3dText(std::string_view text, const std::string& name, const XmlSchema& schema,
                                  const fs::path& folder) {
   ByteSource source(text);
-  const XmlSchema compiled(schema);
   ValidationResult result;
   FindingList findings(name, result);
-  validate(source, compiled, folder, findings, {});
+  validate(source, schema, folder, findings, {});
   return result;
 }
 

@@ -7,6 +7,7 @@
 
 #include "base/progress.hpp"
 #include "check/validation.hpp"
+#include "check/xsd/xml_parser.hpp"
 
 namespace cloudgen::check {
 
@@ -20,8 +21,7 @@ ValidationResult validateX3d(const std::filesystem::path& file,
 
 /// The same for a scene in memory. `name` stands in the findings; relative urls start at `folder`, or are not
 /// looked for.
-ValidationResult validateX3dText(std::string_view text, const std::string& name,
-                                 const std::filesystem::path& schema,
+ValidationResult validateX3dText(std::string_view text, const std::string& name, const XmlSchema& schema,
                                  const std::filesystem::path& folder = {});
 
 }  // namespace cloudgen::check

@@ -74,7 +74,7 @@ struct Pass {
       chunk = source.next();
       if (const auto refusal = scanner.scan(chunk)) {
         findings.error(refusal->where, refusal->rule, refusal->message, refusal->hint);
-        stop();
+        stopped = true;  // to the parser this is the end of the file: it must not be halted while it reads
         return 0;
       }
       if (given - reported > (4u << 20)) {
@@ -161,42 +161,50 @@ struct Pass {
 
 /// Calls a member of the pass from C: an exception waits there until the parser has returned.
 template <typename Body>
-void guarded(void* data, Body body) {
-  Pass& pass = *static_cast<Pass*>(data);
+void guarded(Pass& pass, Body body) {
   try {
     body(pass);
   } catch (...) {
     if (!pass.failure) pass.failure = std::current_exception();
-    pass.stop();
+    pass.stopped = true;
   }
+}
+
+/// The same for what the parser calls between two tokens, where it can be halted.
+template <typename Body>
+void guardedEvent(void* data, Body body) {
+  Pass& pass = *static_cast<Pass*>(data);
+  guarded(pass, body);
+  if (pass.stopped) pass.stop();
 }
 
 int readChunk(void* data, char* buffer, int length) {
   int count = 0;
-  guarded(data, [&](Pass& pass) { count = pass.read(buffer, length); });
+  guarded(*static_cast<Pass*>(data), [&](Pass& pass) { count = pass.read(buffer, length); });
   return count;
 }
 
 void onStart(void* data, const xmlChar* name, const xmlChar*, const xmlChar*, int, const xmlChar**, int count,
              int, const xmlChar** values) {
-  guarded(data, [&](Pass& pass) {
+  guardedEvent(data, [&](Pass& pass) {
     if (!pass.stopped) pass.start(name, count, values);
   });
 }
 
 void onEnd(void* data, const xmlChar*, const xmlChar*, const xmlChar*) {
-  guarded(data, [](Pass& pass) {
+  guardedEvent(data, [](Pass& pass) {
     if (!pass.stopped) pass.visitor.end();
   });
 }
 
 void onXmlProblem(void*, xmlErrorPtr error) {
   if (!error || !error->ctxt) return;
-  guarded(static_cast<xmlParserCtxtPtr>(error->ctxt)->_private, [&](Pass& pass) { pass.xmlProblem(error); });
+  guardedEvent(static_cast<xmlParserCtxtPtr>(error->ctxt)->_private,
+               [&](Pass& pass) { pass.xmlProblem(error); });
 }
 
 void onSchemaProblem(void* data, xmlErrorPtr error) {
-  guarded(data, [&](Pass& pass) { pass.schemaProblem(error); });
+  guardedEvent(data, [&](Pass& pass) { pass.schemaProblem(error); });
 }
 
 struct Freed {

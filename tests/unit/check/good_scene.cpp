@@ -92,8 +92,18 @@ std::uint64_t lineOf(std::string_view scene, std::string_view piece) {
   return 1 + static_cast<std::uint64_t>(std::count(before.begin(), before.end(), '\n'));
 }
 
-fs::path profileSchema() { return fs::path(CLOUDGEN_SOURCE_DIR) / "schemas" / "cloudgen-x3d.xsd"; }
-fs::path officialSchema() { return fs::path(CLOUDGEN_SHARED_DIR) / "schemas" / "x3d-4.0.xsd"; }
+fs::path profileSchemaFile() { return fs::path(CLOUDGEN_SOURCE_DIR) / "schemas" / "cloudgen-x3d.xsd"; }
+fs::path officialSchemaFile() { return fs::path(CLOUDGEN_SHARED_DIR) / "schemas" / "x3d-4.0.xsd"; }
+
+const XmlSchema& profileSchema() {
+  static const XmlSchema schema(profileSchemaFile());
+  return schema;
+}
+
+const XmlSchema& officialSchema() {
+  static const XmlSchema schema(officialSchemaFile());
+  return schema;
+}
 
 SceneFolder::SceneFolder() {
   static int count = 0;

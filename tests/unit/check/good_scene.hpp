@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "check/validation.hpp"
+#include "check/xsd/xml_parser.hpp"
 
 namespace cloudgen::check::test {
 
@@ -21,8 +22,11 @@ std::string edited(std::string scene, std::string_view from, std::string_view to
 /// The line, from 1, on which `piece` first stands.
 std::uint64_t lineOf(std::string_view scene, std::string_view piece);
 
-std::filesystem::path profileSchema();
-std::filesystem::path officialSchema();
+std::filesystem::path profileSchemaFile();
+std::filesystem::path officialSchemaFile();
+/// Compiled once.
+const XmlSchema& profileSchema();
+const XmlSchema& officialSchema();
 
 /// A new folder with cloud.png and tiles/0.x3d; gone with the object.
 class SceneFolder {

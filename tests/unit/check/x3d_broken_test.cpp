@@ -49,7 +49,7 @@ TEST(BrokenX3d, FindingsStandInTheOrderOfTheFile) {
   EXPECT_EQ(result.findings[0].rule, "scale-zero");
   EXPECT_EQ(result.findings[1].rule, "use-missing");
   EXPECT_EQ(result.findings[2].rule, "key-order");
-  EXPECT_EQ(text(result.findings[0]).substr(0, 28), "scene.x3d:25:74: error[scale");
+  EXPECT_EQ(text(result.findings[0]).substr(0, 28), "scene.x3d:25:69: error[scale");
 }
 
 }  // namespace
