@@ -122,6 +122,11 @@ export class Viewer {
     this.onChange();
   }
 
+  showClouds(shown: boolean): void {
+    this.splats.root.visible = shown;
+    this.requestFrame();
+  }
+
   turnNorth(): void {
     const target = this.mode === 'orbit' ? this.orbit.target : this.camera.position.clone().add(this.camera.getWorldDirection(new Vector3()).multiplyScalar(1000));
     const arm = this.camera.position.clone().sub(target);
