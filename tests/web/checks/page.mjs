@@ -36,7 +36,7 @@ async function rest(page) {
 
 async function viewButtonsWork(page, picturePath) {
   const places = [];
-  for (const name of ['ground', 'top', 'overview']) {
+  for (const name of ['near', 'ground', 'top', 'overview']) {
     await page.click(`#view-${name}`);
     await rest(page);
     expect((await page.getAttribute(`#view-${name}`, 'aria-pressed')) === 'true', `the button ${name} is not shown as pressed`);
