@@ -13,12 +13,17 @@ export interface CloudExtent {
   /** The place with most cloud, at its mean height, and the highest cloud there. */
   densest: Vector3;
   densestTop: number;
+  /** Mean deviation of the splats there. */
+  densestDeviation: number;
+  /** Cloud over a place, as a share of that over the densest. */
+  cover: (x: number, z: number) => number;
 }
 
 interface Cell {
   weight: number;
   sum: Vector3;
   top: number;
+  deviation: number;
 }
 
 export function cloudExtent(splats: Splats, frame: Frame): CloudExtent {
@@ -27,23 +32,26 @@ export function cloudExtent(splats: Splats, frame: Frame): CloudExtent {
   const zs: number[] = [];
   const cells = new Map<string, Cell>();
   const side = Math.max(8_000, frame.size / 100);
+  const keyOf = (x: number, z: number) => `${Math.floor(x / side)} ${Math.floor(z / side)}`;
   splats.forEach((center, deviation, opacity) => {
     xs.push(center.x);
     ys.push(center.y);
     zs.push(center.z);
-    const key = `${Math.floor(center.x / side)} ${Math.floor(center.z / side)}`;
-    const cell = cells.get(key) ?? {weight: 0, sum: new Vector3(), top: 0};
+    const key = keyOf(center.x, center.z);
+    const cell = cells.get(key) ?? {weight: 0, sum: new Vector3(), top: 0, deviation: 0};
     const weight = opacity * deviation * deviation;
     cell.weight += weight;
+    cell.deviation += weight * deviation;
     cell.sum.addScaledVector(center, weight);
     if (opacity > 0.15) cell.top = Math.max(cell.top, center.y);
     cells.set(key, cell);
   });
   const middle = new Vector3(frame.centerX, 1500, frame.centerZ);
-  if (!xs.length) return {center: middle, spread: frame.size, top: 3000, densest: middle.clone(), densestTop: 3000};
+  if (!xs.length)
+    return {center: middle, spread: frame.size, top: 3000, densest: middle.clone(), densestTop: 3000, densestDeviation: 500, cover: () => 0};
 
   // Of two places with as much cloud, the one nearer to the middle of the scene.
-  let densest = {score: -1, cell: {weight: 1, sum: middle, top: 0} as Cell};
+  let densest = {score: -1, cell: {weight: 1, sum: middle, top: 0, deviation: 0} as Cell};
   for (const cell of cells.values()) {
     const place = cell.sum.clone().divideScalar(Math.max(cell.weight, 1e-9));
     const away = Math.hypot(place.x - frame.centerX, place.z - frame.centerZ) / frame.size;
@@ -60,5 +68,7 @@ export function cloudExtent(splats: Splats, frame: Frame): CloudExtent {
     top: share(ys, 0.98),
     densest: place,
     densestTop: Math.max(densest.cell.top, place.y),
+    densestDeviation: densest.cell.deviation / Math.max(densest.cell.weight, 1e-9),
+    cover: (x, z) => (cells.get(keyOf(x, z))?.weight ?? 0) / Math.max(densest.cell.weight, 1e-9),
   };
 }

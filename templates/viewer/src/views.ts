@@ -41,15 +41,14 @@ export function viewNamed(name: ViewName, data: SceneData, frame: Frame, clouds:
     return {target, position: new Vector3(frame.centerX, ground + reach / half, frame.centerZ + reach * 1e-4)};
   }
   if (name === 'ground') {
-    // An observer who sees the thickest clouds ahead, not overhead.
-    const back = Math.max(2.4 * clouds.densestTop, 7_000);
-    const position = clouds.densest.clone().addScaledVector(looking, -back).setY(ground + 30);
-    return {position, target: position.clone().addScaledVector(looking, back).setY(ground + 0.25 * back)};
+    const {heading, back} = observerPlace(clouds, looking);
+    const position = clouds.densest.clone().addScaledVector(heading, -back).setY(ground + 30);
+    return {position, target: position.clone().addScaledVector(heading, back).setY(ground + 0.25 * back)};
   }
   if (name === 'near') {
-    const distance = Math.max(NEAR_METERS, 2.2 * (clouds.densestTop - ground));
+    const distance = Math.max(NEAR_METERS, 2.2 * (clouds.densestTop - ground), 25 * clouds.densestDeviation);
     const target = clouds.densest.clone().setY(ground + 0.5 * (clouds.densestTop - ground));
-    return {target, position: from(target, looking, 0.2, distance)};
+    return {target, position: from(target, looking, 0.2 + 0.2 * ramp(40_000, 400_000, distance), distance)};
   }
   const whole = (0.6 * clouds.spread) / half + 2 * clouds.top;
   const wide = ramp(150_000, 900_000, clouds.spread);
@@ -58,7 +57,21 @@ export function viewNamed(name: ViewName, data: SceneData, frame: Frame, clouds:
   target.y = ground + 0.35 * clouds.top;
   // Over a wide scene from the south, as maps have it, and higher.
   const ahead = looking.lerp(new Vector3(sunX > 0 ? -0.3 : 0.3, 0, -1), wide).normalize();
-  return {target, position: from(target, ahead, 0.2 + 0.35 * wide, distance)};
+  return {target, position: from(target, ahead, 0.2 + 0.28 * wide, distance)};
+}
+
+/** Where an observer on the ground has the thickest clouds ahead and little overhead, the sun behind if possible. */
+function observerPlace(clouds: CloudExtent, looking: Vector3): {heading: Vector3; back: number} {
+  const nearest = Math.max(2.4 * clouds.densestTop, 10 * clouds.densestDeviation, 7_000);
+  let best = {score: Infinity, heading: looking, back: nearest};
+  for (let turn = -6; turn <= 6; ++turn)
+    for (const factor of [1, 1.6, 2.5, 4]) {
+      const heading = looking.clone().applyAxisAngle(UP, (turn * Math.PI) / 6);
+      const place = clouds.densest.clone().addScaledVector(heading, -factor * nearest);
+      const score = 3 * clouds.cover(place.x, place.z) + 0.06 * Math.abs(turn) + 0.25 * factor;
+      if (score < best.score) best = {score, heading, back: factor * nearest};
+    }
+  return best;
 }
 
 function from(target: Vector3, looking: Vector3, pitch: number, distance: number): Vector3 {
