@@ -75,12 +75,12 @@ Json generaOf(const scene::Scene& scene) {
   return out;
 }
 
-/// "36.2 to 37.2 °N"; both ends carry their letter when they differ.
+/// "36.2 to 37.2°N"; both ends carry their letter when they differ.
 std::string rangeText(double from, double to, std::string_view positive, std::string_view negative) {
   const auto letter = [&](double value) { return value < 0 ? negative : positive; };
   const auto number = [](double value) { return base::shortest(std::round(std::abs(value) * 100) / 100); };
-  if (letter(from) == letter(to)) return fmt::format("{} to {} °{}", number(from), number(to), letter(to));
-  return fmt::format("{} °{} to {} °{}", number(from), letter(from), number(to), letter(to));
+  if (letter(from) == letter(to)) return fmt::format("{} to {}°{}", number(from), number(to), letter(to));
+  return fmt::format("{}°{} to {}°{}", number(from), letter(from), number(to), letter(to));
 }
 
 std::string titleOf(const scene::Scene& scene) {

@@ -4,6 +4,7 @@ import {
   BufferGeometry,
   CircleGeometry,
   DataTexture,
+  DoubleSide,
   Group,
   LineBasicNodeMaterial,
   LineSegments,
@@ -11,7 +12,7 @@ import {
   MeshBasicNodeMaterial,
   Vector2,
 } from 'three/webgpu';
-import {Fn, cameraPosition, float, max, mix, positionWorld, smoothstep, texture, uniform, vec2, vec3, vec4} from 'three/tsl';
+import {Fn, cameraPosition, float, mix, positionWorld, smoothstep, texture, uniform, vec2, vec3, vec4} from 'three/tsl';
 import {displayColor} from './color';
 import type {Frame} from './frame';
 import type {SceneData} from './scene_data';
@@ -39,37 +40,56 @@ export class Ground {
     const span = Math.max(frame.longitudeSpan * Math.cos((frame.box.south + frame.box.north) * (Math.PI / 360)), frame.box.north - frame.box.south);
     this.stepDegrees = STEPS_DEGREES.find((step) => span / step <= WANTED_LINES) ?? 45;
     this.root.position.y = data.groundHeightMeters;
-    this.root.add(this.plane(data, frame, sky, sunlight), ...this.graticule(frame, sky), this.border(frame, sky));
-    // Painted from back to front without a depth buffer: sky, plane, lines, then the clouds above them.
+    const ring = borderOf(frame);
+    this.root.add(
+      this.plane(frame, data, sky),
+      this.floor(ring, frame, data, sky, sunlight),
+      ...this.graticule(frame, sky),
+      lines(pairs(ring), sky, 0.85),
+    );
+    // Painted from back to front without a depth buffer: sky, plane, floor, lines, then the clouds above them.
     this.root.children.forEach((child, index) => {
       child.renderOrder = index;
       child.frustumCulled = false;
     });
   }
 
-  private plane(data: SceneData, frame: Frame, sky: Sky, sunlight: DataTexture): Mesh {
+  private plane(frame: Frame, data: SceneData, sky: Sky): Mesh {
     const geometry = new CircleGeometry(frame.size * 20 + 400_000, 96).rotateX(-Math.PI / 2).translate(frame.centerX, 0, frame.centerZ);
-    const material = new MeshBasicNodeMaterial({depthTest: false, depthWrite: false});
+    const ground = uniform(displayColor(data.sky.ground));
+    const center = uniform(new Vector2(frame.centerX, frame.centerZ));
+    return painted(
+      geometry,
+      Fn(() => {
+        const place: Node = positionWorld.xz;
+        const away: Node = place.sub(center).length();
+        const far = smoothstep(float(frame.size * 2), float(frame.size * 12 + 200_000), away);
+        return vec4(mix(sky.throughAir(ground.mul(0.88), positionWorld), vec3(uniform(sky.horizon)), far), 1);
+      })(),
+    );
+  }
+
+  /** The ground of the scene's box, under the shadows of the clouds. */
+  private floor(ring: number[], frame: Frame, data: SceneData, sky: Sky, sunlight: DataTexture): Mesh {
+    const count = ring.length / 3;
+    const geometry = new BufferGeometry();
+    geometry.setAttribute('position', new BufferAttribute(new Float32Array([frame.centerX, 0, frame.centerZ, ...ring]), 3));
+    geometry.setIndex(Array.from({length: count}, (_, i) => [0, 1 + i, 1 + ((i + 1) % count)]).flat());
     const ground = uniform(displayColor(data.sky.ground));
     const lower = uniform(new Vector2(...data.frame.lower));
     const extent = uniform(new Vector2(frame.width, frame.depth));
-    const center = uniform(new Vector2(frame.centerX, frame.centerZ));
     // A low sun casts long shadows that fade into the light of the sky.
     const sunShare = 0.5 * Math.min(1, Math.max(0, data.sun.direction[1] / 0.25));
-    material.colorNode = Fn(() => {
-      const place: Node = positionWorld.xz;
-      const across: Node = place.sub(lower).div(extent);
-      const edge: Node = across.sub(0.5).abs();
-      const inside = float(1).sub(smoothstep(float(0.5), float(0.503), max(edge.x, edge.y)));
-      const lit = texture(sunlight, vec2(across.x, across.y)).r;
-      // What is left in a shadow is light of the blue sky.
-      const shaded = mix(vec3(1 - sunShare, 1 - 0.96 * sunShare, 1 - 0.84 * sunShare), vec3(1, 1, 1), lit);
-      const bright = ground.mul(mix(vec3(0.88, 0.88, 0.88), shaded, inside));
-      const away: Node = place.sub(center).length();
-      const far = smoothstep(float(frame.size * 2), float(frame.size * 12 + 200_000), away);
-      return vec4(mix(sky.throughAir(bright, positionWorld), vec3(uniform(sky.horizon)), far), 1);
-    })();
-    return new Mesh(geometry, material);
+    return painted(
+      geometry,
+      Fn(() => {
+        const across: Node = positionWorld.xz.sub(lower).div(extent);
+        const lit = texture(sunlight, vec2(across.x, across.y)).r;
+        // What is left in a shadow is light of the blue sky.
+        const shaded = mix(vec3(1 - sunShare, 1 - 0.96 * sunShare, 1 - 0.84 * sunShare), vec3(1, 1, 1), lit);
+        return vec4(sky.throughAir(ground.mul(shaded), positionWorld), 1);
+      })(),
+    );
   }
 
   private graticule(frame: Frame, sky: Sky): LineSegments[] {
@@ -106,21 +126,35 @@ export class Ground {
     }
     return [lines(minor, sky, 0.13), lines(points, sky, 0.42)];
   }
+}
 
-  private border(frame: Frame, sky: Sky): LineSegments {
-    const {box} = frame;
-    const east = box.west + frame.longitudeSpan;
-    const corners: [number, number][] = [[box.west, box.south], [east, box.south], [east, box.north], [box.west, box.north], [box.west, box.south]];
-    const points: number[] = [];
-    for (let side = 0; side < 4; ++side)
-      for (let i = 0; i < SEGMENTS; ++i)
-        for (const t of [i / SEGMENTS, (i + 1) / SEGMENTS]) {
-          const [a, b] = [corners[side], corners[side + 1]];
-          const [x, z] = frame.toScene(a[0] + (b[0] - a[0]) * t, a[1] + (b[1] - a[1]) * t);
-          points.push(x, 0, z);
-        }
-    return lines(points, sky, 0.85);
-  }
+/** The border of the box, closed, as x, y, z of its points. */
+function borderOf(frame: Frame): number[] {
+  const {box} = frame;
+  const east = box.west + frame.longitudeSpan;
+  const corners: [number, number][] = [[box.west, box.south], [east, box.south], [east, box.north], [box.west, box.north]];
+  const ring: number[] = [];
+  corners.forEach((from, side) => {
+    const to = corners[(side + 1) % 4];
+    for (let i = 0; i < SEGMENTS; ++i) {
+      const t = i / SEGMENTS;
+      const [x, z] = frame.toScene(from[0] + (to[0] - from[0]) * t, from[1] + (to[1] - from[1]) * t);
+      ring.push(x, 0, z);
+    }
+  });
+  return ring;
+}
+
+/** The points of a closed line as pairs. */
+function pairs(ring: number[]): number[] {
+  const count = ring.length / 3;
+  return Array.from({length: count}, (_, i) => [...ring.slice(3 * i, 3 * i + 3), ...ring.slice(3 * ((i + 1) % count), 3 * ((i + 1) % count) + 3)]).flat();
+}
+
+function painted(geometry: BufferGeometry, color: Node): Mesh {
+  const material = new MeshBasicNodeMaterial({depthTest: false, depthWrite: false, side: DoubleSide});
+  material.colorNode = color;
+  return new Mesh(geometry, material);
 }
 
 function lines(points: number[], sky: Sky, opacity: number): LineSegments {

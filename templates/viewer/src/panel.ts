@@ -6,7 +6,7 @@ function timeText(iso: string): string {
 }
 
 function hundredMeters(meters: number): string {
-  return (Math.round(meters / 100) * 100).toLocaleString('en');
+  return (Math.max(0, Math.round(meters / 100)) * 100).toLocaleString('en');
 }
 
 function setText(id: string, text: string): void {
@@ -47,7 +47,7 @@ function fillLegend(data: SceneData): void {
     add('count', genus.count.toLocaleString('en'));
     add('heights', `${hundredMeters(genus.lowestBaseMeters)} to ${hundredMeters(genus.highestTopMeters)} m`);
     const bar = add('bar', '');
-    bar.style.width = `${Math.max(2, (100 * genus.count) / most)}%`;
+    bar.style.width = `${Math.max(3, (72 * genus.count) / most)}px`;
     bar.style.background = genus.color;
     list.append(row);
   }

@@ -41,7 +41,7 @@ export function groundSunlight(splats: Splats, frame: Frame, lower: [number, num
       let depth = 0;
       for (const level of levels) depth += sampled(level, (column + 0.5) / FINEST_CELLS, (row + 0.5) / FINEST_CELLS);
       // Clouds scatter most light forward, so less is lost than their optical depth says.
-      light[row * FINEST_CELLS + column] = Math.round(255 * Math.exp(-0.3 * depth));
+      light[row * FINEST_CELLS + column] = Math.round(255 * Math.exp(-0.2 * depth));
     }
   const texture = new DataTexture(light, FINEST_CELLS, FINEST_CELLS, RedFormat, UnsignedByteType);
   texture.minFilter = texture.magFilter = LinearFilter;

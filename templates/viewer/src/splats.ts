@@ -2,7 +2,7 @@
 import {GLTFLoader} from 'three/addons/loaders/GLTFLoader.js';
 import {GLTFGaussianSplatLoaderExtension} from 'three/addons/loaders/GLTFGaussianSplatLoaderExtension.js';
 import type {GaussianSplat} from 'three/addons/objects/GaussianSplat.js';
-import {Fn, cameraProjectionMatrix, cameraWorldMatrix, varyingProperty, vec4} from 'three/tsl';
+import {Fn, cameraProjectionMatrix, cameraWorldMatrix, dot, float, positionGeometry, smoothstep, varyingProperty, vec4} from 'three/tsl';
 import {Camera, Group, Vector3} from 'three/webgpu';
 import type {Node, Sky} from './sky';
 
@@ -59,7 +59,10 @@ export class Splats {
     this.root.updateMatrixWorld(true);
   }
 
-  /** Calls back with the centre in scene metres, the horizontal deviation and the opacity of every splat. */
+  /**
+   * Calls back with the centre in scene metres, the deviation and the opacity of every splat.
+   * The deviation is that of the circle with the area of the splat seen from above.
+   */
   forEach(visit: (center: Vector3, deviationMeters: number, opacity: number) => void): void {
     const center = new Vector3();
     for (const mesh of this.meshes) {
@@ -69,17 +72,18 @@ export class Splats {
       const scale = mesh.matrixWorld.getMaxScaleOnAxis();
       for (let i = 0; i < position.count; ++i) {
         center.fromBufferAttribute(position, i).applyMatrix4(mesh.matrixWorld);
-        const variance = 0.5 * (covariance.getComponent(i, 0) + covariance.getComponent(i, 5));
-        visit(center, scale * Math.sqrt(variance), colors[4 * i + 3] / 255);
+        const [xx, xz, zz] = [0, 2, 5].map((k) => covariance.getComponent(i, k));
+        visit(center, scale * Math.pow(Math.max(0, xx * zz - xz * xz), 0.25), colors[4 * i + 3] / 255);
       }
     }
   }
 }
 
-/** Mixes the colour of the air into a splat's own, which its material has no place for. */
+/** Mixes the colour of the air into a splat's own, and fades its rim; its material has no place for either. */
 function seeThroughAir(mesh: GaussianSplat, sky: Sky): void {
   const internals = mesh as unknown as SplatInternals;
   const place: Node = varyingProperty('vec3', 'splatPlace');
+  const corner: Node = varyingProperty('vec2', 'splatCorner');
   const projection: Node = cameraProjectionMatrix;
   const placed = (vertex: Node): Node =>
     vertex &&
@@ -91,6 +95,7 @@ function seeThroughAir(mesh: GaussianSplat, sky: Sky): void {
         clip.w.negate(),
         1,
       );
+      corner.assign(positionGeometry.xy);
       place.assign(cameraWorldMatrix.mul(view).xyz);
       return clip;
     })();
@@ -100,7 +105,9 @@ function seeThroughAir(mesh: GaussianSplat, sky: Sky): void {
   mesh.material.vertexNode = internals._precomputedSphericalHarmonicsVertexNode;
   mesh.material.colorNode = Fn(() => {
     const color = vec4(drawn).toVar();
-    return vec4(sky.throughAir(color.rgb, place), color.a);
+    // three.js cuts a splat off at two deviations, where an eighth of it is left: an edge that the eye finds.
+    const rim = smoothstep(float(4), float(1.6), dot(corner, corner));
+    return vec4(sky.throughAir(color.rgb, place), color.a.mul(rim));
   })();
   mesh.material.depthTest = false;
 }

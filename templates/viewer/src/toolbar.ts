@@ -22,8 +22,9 @@ export function connectControls(viewer: Viewer): void {
 
   const commands: Record<string, () => void> = {
     Digit1: () => viewer.setView('overview'),
-    Digit2: () => viewer.setView('ground'),
-    Digit3: () => viewer.setView('top'),
+    Digit2: () => viewer.setView('near'),
+    Digit3: () => viewer.setView('ground'),
+    Digit4: () => viewer.setView('top'),
     KeyF: toggleMode,
     KeyN: () => viewer.turnNorth(),
     KeyL: () => (panel.open = !panel.open),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import {OrbitControls} from 'three/addons/controls/OrbitControls.js';
 import {LinearSRGBColorSpace, PerspectiveCamera, Scene, Vector3, WebGPURenderer} from 'three/webgpu';
+import {cloudExtent, type CloudExtent} from './cloud_extent';
 import {Fly} from './fly';
 import type {Frame} from './frame';
 import {Ground} from './ground';
@@ -9,7 +10,7 @@ import type {SceneData} from './scene_data';
 import {groundSunlight} from './shadow';
 import {Sky} from './sky';
 import {Splats} from './splats';
-import {cloudExtent, viewNamed, type CloudExtent, type ViewName} from './views';
+import {viewNamed, type ViewName} from './views';
 
 export type Mode = 'orbit' | 'fly';
 
@@ -122,6 +123,11 @@ export class Viewer {
     this.onChange();
   }
 
+  showClouds(shown: boolean): void {
+    this.splats.root.visible = shown;
+    this.requestFrame();
+  }
+
   turnNorth(): void {
     const target = this.mode === 'orbit' ? this.orbit.target : this.camera.position.clone().add(this.camera.getWorldDirection(new Vector3()).multiplyScalar(1000));
     const arm = this.camera.position.clone().sub(target);
@@ -197,17 +203,26 @@ export class Viewer {
   }
 }
 
-/** WebGPU where there is a real adapter for it, else WebGL 2. The address part #webgl asks for WebGL. */
+/** WebGPU where there is a real adapter for it, else WebGL 2. The address parts #webgl and #webgpu ask for one of them. */
 async function startRenderer(): Promise<WebGPURenderer> {
   const gpu = (navigator as {gpu?: {requestAdapter(): Promise<{info?: {isFallbackAdapter?: boolean}} | null>}}).gpu;
   const adapter = location.hash === '#webgl' ? null : await gpu?.requestAdapter().catch(() => null);
-  const forceWebGL = !adapter || adapter.info?.isFallbackAdapter === true;
+  const forceWebGL = !adapter || (adapter.info?.isFallbackAdapter === true && location.hash !== '#webgpu');
   if (forceWebGL && !document.createElement('canvas').getContext('webgl2'))
     throw new Error('This browser offers neither WebGPU nor WebGL 2, one of which is needed to draw the clouds.');
   const renderer = new WebGPURenderer({antialias: false, forceWebGL});
   renderer.outputColorSpace = LinearSRGBColorSpace;
   renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
   await renderer.init();
+  if (!forceWebGL) {
+    // A driver that gives up on WebGPU, or refuses a shader of it, still draws by WebGL.
+    const useWebGL = () => {
+      location.hash = '#webgl';
+      location.reload();
+    };
+    renderer.onDeviceLost = useWebGL;
+    renderer.onError = useWebGL;
+  }
   const surface = renderer.domElement;
   surface.tabIndex = 0;
   surface.setAttribute('role', 'application');

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 import {Vector3} from 'three/webgpu';
+import type {CloudExtent} from './cloud_extent';
 import type {Frame} from './frame';
 import type {SceneData} from './scene_data';
-import type {Splats} from './splats';
 
-export const VIEW_NAMES = ['overview', 'ground', 'top'] as const;
+export const VIEW_NAMES = ['overview', 'near', 'ground', 'top'] as const;
 export type ViewName = (typeof VIEW_NAMES)[number];
 
 export interface View {
@@ -12,31 +12,14 @@ export interface View {
   target: Vector3;
 }
 
-/** Where the clouds stand: the middle 80 % of the splats in each direction. */
-export interface CloudExtent {
-  center: Vector3;
-  spread: number;
-  top: number;
-}
+const UP = new Vector3(0, 1, 0);
+/** Clouds are best seen from this far; a scene of a few hundred kilometres is entered at its middle. */
+const NEAR_METERS = 22_000;
+const OVERVIEW_METERS = 60_000;
 
-export function cloudExtent(splats: Splats, frame: Frame): CloudExtent {
-  const xs: number[] = [];
-  const ys: number[] = [];
-  const zs: number[] = [];
-  const stride = Math.max(1, Math.floor(splats.count / 20_000));
-  let index = 0;
-  splats.forEach((center) => {
-    if (index++ % stride) return;
-    xs.push(center.x);
-    ys.push(center.y);
-    zs.push(center.z);
-  });
-  if (!xs.length) return {center: new Vector3(frame.centerX, 1500, frame.centerZ), spread: frame.size, top: 3000};
-  for (const values of [xs, ys, zs]) values.sort((a, b) => a - b);
-  const share = (values: number[], part: number) => values[Math.min(values.length - 1, Math.floor(part * values.length))];
-  const spread = Math.max(share(xs, 0.9) - share(xs, 0.1), share(zs, 0.9) - share(zs, 0.1), 4000);
-  const middle = (values: number[]) => 0.5 * (share(values, 0.1) + share(values, 0.9));
-  return {center: new Vector3(middle(xs), share(ys, 0.5), middle(zs)), spread, top: share(ys, 0.98)};
+/** 0 below `low`, 1 above `high`. */
+function ramp(low: number, high: number, value: number): number {
+  return Math.min(1, Math.max(0, (value - low) / (high - low)));
 }
 
 /**
@@ -46,31 +29,54 @@ export function cloudExtent(splats: Splats, frame: Frame): CloudExtent {
 export function viewNamed(name: ViewName, data: SceneData, frame: Frame, clouds: CloudExtent, fieldOfView: number): View {
   const ground = data.groundHeightMeters;
   const [sunX, , sunZ] = data.sun.direction;
-  const sunAway = new Vector3(-sunX, 0, -sunZ);
-  if (sunAway.lengthSq() < 1e-6) sunAway.set(0, 0, -1);
-  sunAway.normalize();
+  const looking = new Vector3(-sunX, 0, -sunZ);
+  if (looking.lengthSq() < 1e-6) looking.set(0, 0, -1);
+  // The sun behind one shoulder shows lit and shaded sides.
+  looking.normalize().applyAxisAngle(UP, 0.7);
+  const half = Math.tan(fieldOfView / 2);
 
   if (name === 'top') {
-    const reach = 0.63 * Math.max(frame.width, frame.depth);
+    const reach = 0.63 * frame.size;
     const target = new Vector3(frame.centerX, ground, frame.centerZ);
-    return {target, position: new Vector3(frame.centerX, ground + reach / Math.tan(fieldOfView / 2), frame.centerZ + reach * 1e-4)};
+    return {target, position: new Vector3(frame.centerX, ground + reach / half, frame.centerZ + reach * 1e-4)};
   }
   if (name === 'ground') {
-    // An observer under the near edge of the clouds, the sun at one side, eyes on clouds that are not overhead.
-    const looking = sunAway.clone().applyAxisAngle(new Vector3(0, 1, 0), 0.7);
-    const back = Math.min(0.45 * clouds.spread, Math.max(4 * clouds.top, 12_000));
-    const position = new Vector3(clouds.center.x, 0, clouds.center.z).addScaledVector(looking, -back).setY(ground + 30);
-    const ahead = Math.max(3.2 * clouds.top, 8_000);
-    return {position, target: position.clone().addScaledVector(looking, ahead).setY(ground + 0.23 * ahead)};
+    const {heading, back} = observerPlace(clouds, looking);
+    const position = clouds.densest.clone().addScaledVector(heading, -back).setY(ground + 30);
+    return {position, target: position.clone().addScaledVector(heading, back).setY(ground + 0.25 * back)};
   }
-  // From the south by habit of maps, lower over a small scene, where clouds have height, higher over a wide one.
-  const wide = Math.min(1, Math.max(0, (clouds.spread - 40_000) / 400_000));
-  const pitch = 0.22 + 0.45 * wide;
-  const distance = (0.56 * clouds.spread) / Math.tan(fieldOfView / 2) + 2 * clouds.top;
-  const target = new Vector3(clouds.center.x, ground + 0.35 * clouds.top, clouds.center.z);
-  const side = sunX > 0 ? 0.35 : -0.35;
-  const position = target
+  if (name === 'near') {
+    const distance = Math.max(NEAR_METERS, 2.2 * (clouds.densestTop - ground), 25 * clouds.densestDeviation);
+    const target = clouds.densest.clone().setY(ground + 0.5 * (clouds.densestTop - ground));
+    return {target, position: from(target, looking, 0.2 + 0.2 * ramp(40_000, 400_000, distance), distance)};
+  }
+  const whole = (0.6 * clouds.spread) / half + 2 * clouds.top;
+  const wide = ramp(150_000, 900_000, clouds.spread);
+  const distance = whole < OVERVIEW_METERS ? whole : OVERVIEW_METERS + (whole - OVERVIEW_METERS) * wide;
+  const target = clouds.densest.clone().lerp(clouds.center, Math.max(wide, ramp(80_000, 20_000, clouds.spread)));
+  target.y = ground + 0.35 * clouds.top;
+  // Over a wide scene from the south, as maps have it, and higher.
+  const ahead = looking.lerp(new Vector3(sunX > 0 ? -0.3 : 0.3, 0, -1), wide).normalize();
+  return {target, position: from(target, ahead, 0.2 + 0.28 * wide, distance)};
+}
+
+/** Where an observer on the ground has the thickest clouds ahead and little overhead, the sun behind if possible. */
+function observerPlace(clouds: CloudExtent, looking: Vector3): {heading: Vector3; back: number} {
+  const nearest = Math.max(2.4 * clouds.densestTop, 10 * clouds.densestDeviation, 7_000);
+  let best = {score: Infinity, heading: looking, back: nearest};
+  for (let turn = -6; turn <= 6; ++turn)
+    for (const factor of [1, 1.6, 2.5, 4]) {
+      const heading = looking.clone().applyAxisAngle(UP, (turn * Math.PI) / 6);
+      const place = clouds.densest.clone().addScaledVector(heading, -factor * nearest);
+      const score = 3 * clouds.cover(place.x, place.z) + 0.06 * Math.abs(turn) + 0.25 * factor;
+      if (score < best.score) best = {score, heading, back: factor * nearest};
+    }
+  return best;
+}
+
+function from(target: Vector3, looking: Vector3, pitch: number, distance: number): Vector3 {
+  return target
     .clone()
-    .add(new Vector3(Math.sin(side) * Math.cos(pitch), Math.sin(pitch), Math.cos(side) * Math.cos(pitch)).multiplyScalar(distance));
-  return {position, target};
+    .addScaledVector(looking, -Math.cos(pitch) * distance)
+    .addScaledVector(UP, Math.sin(pitch) * distance);
 }

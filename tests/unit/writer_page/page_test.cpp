@@ -115,7 +115,7 @@ TEST(PageData, CountsGeneraWithTheirHeights) {
 
 TEST(PageData, TellsWhereAndWhatWithoutFolders) {
   const auto data = nlohmann::json::parse(pageData(skyWithTwoClouds(), 6, ""));
-  EXPECT_EQ(data["title"], "Clouds of GFS, 36.2 to 37.2 °N, 122.6 to 121.2 °W");
+  EXPECT_EQ(data["title"], "Clouds of GFS, 36.2 to 37.2°N, 122.6 to 121.2°W");
   EXPECT_EQ(data["files"][0], "gfs.grib2");
 }
 

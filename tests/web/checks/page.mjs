@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+// index.html as a user opens it: from the disk, with mouse and keys, on a desk and on a telephone.
+import {existsSync} from 'node:fs';
+import {readFile} from 'node:fs/promises';
+import {join} from 'node:path';
+import {pathToFileURL} from 'node:url';
+import {withPage} from '../lib/browser.mjs';
+import {expectDrawn, keep} from '../lib/picture.mjs';
+import {until} from './drawing.mjs';
+
+const SECONDS = 90;
+
+function expect(condition, what) {
+  if (!condition) throw new Error(what);
+}
+
+const position = (page) => page.evaluate(() => window.cloudgen.cameraPosition);
+const frames = (page) => page.evaluate(() => window.cloudgen.frames);
+const apart = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+
+/** Waits for a picture that stays. */
+async function rest(page) {
+  let last = -1;
+  await until(
+    async () => {
+      const now = await frames(page);
+      const still = now === last;
+      last = now;
+      await page.waitForTimeout(600);
+      return still;
+    },
+    SECONDS,
+    'the page still draws, though nothing changes,',
+  );
+}
+
+async function viewButtonsWork(page, picturePath) {
+  const places = [];
+  for (const name of ['near', 'ground', 'top', 'overview']) {
+    await page.click(`#view-${name}`);
+    await rest(page);
+    expect((await page.getAttribute(`#view-${name}`, 'aria-pressed')) === 'true', `the button ${name} is not shown as pressed`);
+    places.push(await position(page));
+    await keep(`${picturePath}.${name}.png`, await page.screenshot({timeout: SECONDS * 1000}));
+  }
+  expect(apart(places[0], places[1]) > 1000 && apart(places[1], places[2]) > 1000, 'view buttons do not move the camera');
+}
+
+async function keysWork(page) {
+  await page.keyboard.press('f');
+  expect((await page.textContent('#mode')) === 'Flying', 'F does not turn flying on');
+  for (const key of ['w', 'd', 'e']) {
+    const before = await position(page);
+    const drawn = await frames(page);
+    await page.keyboard.down(key);
+    await until(async () => (await frames(page)) > drawn + 1, SECONDS, `no picture while ${key} is held`);
+    await page.keyboard.up(key);
+    expect(apart(before, await position(page)) > 10, `key ${key} does not move the camera`);
+  }
+  await page.keyboard.press('f');
+  await page.keyboard.press('h');
+  expect(await page.isVisible('#help'), 'H does not open the help');
+  await page.keyboard.press('Escape');
+  expect(!(await page.isVisible('#help')), 'Escape does not close the help');
+  await page.focus('#exaggeration');
+  await page.keyboard.press('ArrowRight');
+  expect((await page.textContent('#exaggeration-text')) === 'heights × 2', 'the slider does not tell the exaggeration');
+  await page.keyboard.press('ArrowLeft');
+}
+
+async function legendListsGenera(page, folder) {
+  const shown = await page.$$eval('#genera li[data-genus]', (rows) =>
+    Object.fromEntries(rows.map((row) => [row.dataset.genus, Number(row.querySelector('.count').textContent.replaceAll(',', ''))])),
+  );
+  const report = join(folder, 'report.json');
+  if (!existsSync(report)) return;
+  const counted = Object.entries(JSON.parse(await readFile(report, 'utf8')).genera ?? {}).filter(([, count]) => count > 0);
+  for (const [genus, count] of counted) expect(shown[genus] === count, `legend: ${genus} ${shown[genus]}, report: ${count}`);
+  expect(Object.keys(shown).length === counted.length, `legend lists ${Object.keys(shown)}, report ${counted.map(([genus]) => genus)}`);
+}
+
+async function everythingFits(page) {
+  const outside = await page.evaluate(() =>
+    [...document.querySelectorAll('button, input, summary, #readout')]
+      .filter((element) => element.checkVisibility() && !element.closest('dialog'))
+      .filter((element) => {
+        const {left, right, top, bottom} = element.getBoundingClientRect();
+        return left < 0 || top < 0 || right > innerWidth + 0.5 || bottom > innerHeight + 0.5;
+      })
+      .map((element) => element.id || element.tagName),
+  );
+  expect(!outside.length, `not wholly in the window: ${outside.join(', ')}`);
+}
+
+export async function pageWorks(folder, size, picturePath) {
+  return withPage(size, async (page, seen) => {
+    const address = pathToFileURL(join(folder, 'index.html')).href;
+    const start = Date.now();
+    await page.goto(address, {waitUntil: 'domcontentloaded', timeout: SECONDS * 1000});
+    await until(() => page.evaluate(() => window.cloudgenReady || window.cloudgenError), SECONDS, 'cloudgenReady is not set');
+    const error = await page.evaluate(() => window.cloudgenError);
+    expect(!error, `the page says: ${error}`);
+    const ready = ((Date.now() - start) / 1000).toFixed(1);
+
+    await everythingFits(page);
+    await legendListsGenera(page, folder);
+    await rest(page);
+    const full = await page.screenshot({timeout: SECONDS * 1000});
+    await keep(`${picturePath}.png`, full);
+    await page.evaluate(() => window.cloudgen.showClouds(false));
+    await rest(page);
+    const share = expectDrawn(full, await page.screenshot({timeout: SECONDS * 1000}));
+    await page.evaluate(() => window.cloudgen.showClouds(true));
+
+    await viewButtonsWork(page, picturePath);
+    await keysWork(page);
+    expect(!seen.errors.length, `console: ${seen.errors.join(' | ')}`);
+    const fetched = seen.requests.filter((request) => request !== address && !/^(data|blob):/.test(request));
+    expect(!fetched.length, `the page asked for ${fetched.join(', ')}`);
+    const {splats, backend} = await page.evaluate(() => ({splats: window.cloudgen.splatCount, backend: window.cloudgen.backend}));
+    return `${splats} splats by ${backend}, ready after ${ready} s, ${share} of the picture are cloud`;
+  });
+}

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// Opens what `cloudgen build` wrote in the viewers that people use.
+//   node tests/web/run.mjs --scenes DIR... [--page] [--only WORDS]
+// --page: only index.html; --only: only checks whose name matches this regular expression. Pictures are kept in out/.
+import {existsSync} from 'node:fs';
+import {mkdir, readFile, readdir, writeFile} from 'node:fs/promises';
+import {basename, join, resolve} from 'node:path';
+import {fileURLToPath} from 'node:url';
+import {hasBrowser} from './lib/browser.mjs';
+import {CLOUD_NODES, withoutClouds} from './lib/empty_sky.mjs';
+import {Runner} from './lib/runner.mjs';
+import {serve} from './lib/server.mjs';
+import {drawsByComparison, drawsByRemoval} from './checks/drawing.mjs';
+import {pageWorks} from './checks/page.mjs';
+import {glbHasNoErrors, jsonIsValid, splatsHaveOnlyKnownErrors} from './checks/validation.mjs';
+import {view3dsceneDraws} from './checks/view3dscene.mjs';
+
+const here = fileURLToPath(new URL('.', import.meta.url));
+const repository = resolve(here, '../..');
+
+function parsed(words) {
+  const options = {scenes: [], page: false, only: /./};
+  for (let i = 0; i < words.length; ++i) {
+    if (words[i] === '--scenes') while (words[i + 1] && !words[i + 1].startsWith('--')) options.scenes.push(resolve(words[++i]));
+    else if (words[i] === '--page') options.page = true;
+    else if (words[i] === '--only') options.only = new RegExp(words[++i] ?? '.');
+    else throw new Error(`unknown option ${words[i]}`);
+  }
+  if (!options.scenes.length) throw new Error('usage: node tests/web/run.mjs --scenes DIR... [--page] [--only WORDS]');
+  for (const folder of options.scenes) if (!existsSync(folder)) throw new Error(`${folder}: no such folder`);
+  return options;
+}
+
+async function checkScene(runner, folder, onlyPage) {
+  const scene = basename(folder);
+  const out = join(here, 'out', scene);
+  const has = (file) => existsSync(join(folder, file));
+  const picture = (name) => join(out, name);
+  const browser = hasBrowser();
+  if (!browser) console.log(`skipped ${scene}: everything in a browser, there is no Chromium (set CHROMIUM to its path)`);
+
+  if (has('index.html') && browser)
+    for (const size of [{width: 1280, height: 720}, {width: 360, height: 740}])
+      await runner.run(`${scene}: index.html works at ${size.width}x${size.height}`, 300, () => pageWorks(folder, size, picture(`page_${size.width}`)));
+  if (onlyPage) return;
+
+  const texts = {};
+  const emptyFile = join(out, 'scene.empty.x3d');
+  if (has('scene.x3d')) {
+    texts['/empty.x3d'] = withoutClouds(await readFile(join(folder, 'scene.x3d'), 'utf8'));
+    await mkdir(out, {recursive: true});
+    await writeFile(emptyFile, texts['/empty.x3d']);
+  }
+  const server = await serve(folder, texts);
+  const at = (page, file) => `${server.address}/pages/${page}.html?scene=${file}`;
+  const draws = (viewer, page, file, settle) =>
+    has(file) && browser
+      ? runner.run(`${scene}: ${viewer} draws ${file}`, 240, () =>
+          drawsByRemoval(at(page, `/scene/${file}`), picture(`${page}_${file}`), page === 'xite' ? CLOUD_NODES : [], settle),
+        )
+      : null;
+  try {
+    await draws('X_ITE', 'xite', 'scene.x3d', 3000);
+    await draws('X_ITE', 'xite', 'scene.wrl', 3000);
+    if (has('scene.x3d')) {
+      if (browser)
+        await runner.run(`${scene}: X3DOM draws scene.x3d`, 300, () =>
+          drawsByComparison(at('x3dom', '/scene/scene.x3d'), at('x3dom', '/empty.x3d'), picture('x3dom_scene.x3d')),
+        );
+      await runner.run(`${scene}: view3dscene draws scene.x3d`, 200, () =>
+        view3dsceneDraws(join(folder, 'scene.x3d'), emptyFile, picture('view3dscene_scene.x3d')),
+      );
+    }
+    await draws('three.js', 'three', 'scene.splats.glb');
+    await draws('Babylon.js', 'babylon', 'scene.splats.glb', 3000);
+    await draws('three.js', 'three', 'scene.glb');
+  } finally {
+    server.close();
+  }
+  if (has('scene.glb')) await runner.run(`${scene}: gltf-validator finds no error in scene.glb`, 120, () => glbHasNoErrors(join(folder, 'scene.glb')));
+  if (has('scene.splats.glb'))
+    await runner.run(`${scene}: gltf-validator knows all of scene.splats.glb but the extension`, 120, () =>
+      splatsHaveOnlyKnownErrors(join(folder, 'scene.splats.glb')),
+    );
+  await runner.run(`${scene}: report.json fits its schema`, 20, () => jsonIsValid(join(folder, 'report.json'), join(repository, 'schemas/report.schema.json')));
+}
+
+async function checkRecipes(runner) {
+  const folder = join(repository, 'templates/types');
+  const recipes = existsSync(folder) ? (await readdir(folder)).filter((file) => file.endsWith('.json')).sort() : [];
+  for (const recipe of recipes)
+    await runner.run(`templates/types/${recipe} fits its schema`, 20, () => jsonIsValid(join(folder, recipe), join(repository, 'schemas/recipe.schema.json')));
+}
+
+try {
+  const options = parsed(process.argv.slice(2));
+  const runner = new Runner(options.only);
+  for (const folder of options.scenes) await checkScene(runner, folder, options.page);
+  if (!options.page) await checkRecipes(runner);
+  process.exitCode = runner.finish();
+} catch (error) {
+  console.error(error.message);
+  process.exitCode = 2;
+}
