@@ -17,6 +17,8 @@ namespace cloudgen::input::grib {
 class Handle {
  public:
   explicit Handle(const FieldLocation& location);
+  Handle(const Handle&) = delete;  // ecCodes points into bytes_
+  Handle& operator=(const Handle&) = delete;
 
   long integer(const char* key) const;
   double number(const char* key) const;
@@ -36,6 +38,7 @@ class Handle {
   template <class Step>
   auto guarded(const Step& step) const;
   bool present(const char* key) const;
+  void checkPacking() const;
 
   FieldLocation location_;
   std::string bytes_;

@@ -85,10 +85,29 @@ class Scanner {
     if (length < kIndicator2 + kEnd || bytes(start + length - kEnd, kEnd) != "7777")
       damaged("does not end with 7777 where its length says");
     if (edition == 1)
-      fields_.push_back({file_, 1, message_, start, {{start, length}}});
+      keepMessage1(length);
     else
       readSections(length);
     place_ = start + length;
+  }
+
+  /// Sections 1, 2 and 3 (if flagged) and 4 must fill the message: ecCodes trusts their lengths.
+  void keepMessage1(std::uint64_t length) {
+    const std::string product = bytes(start_ + kIndicator1, 8);
+    const int flags = static_cast<unsigned char>(product[7]);
+    const bool present[] = {true, (flags & 0x80) != 0, (flags & 0x40) != 0, true};
+    const std::uint64_t least[] = {28, 6, 6, 11}, end = start_ + length - kEnd;
+    std::uint64_t offset = start_ + kIndicator1;
+    for (int section = 0; section < 4; ++section) {
+      if (!present[section]) continue;
+      const std::string head = bytes(offset, 3);
+      const std::uint64_t size = bigEndian(head);
+      if (offset + 3 > end || size < least[section] || size > end - offset)
+        damaged(fmt::format("has a damaged section {} at byte {}", section + 1, offset));
+      offset += size;
+    }
+    if (offset != end) damaged("has sections that do not fill it");
+    fields_.push_back({file_, 1, message_, start_, {{start_, length}}});
   }
 
   /// Sections 2 to 7 may repeat; each section 7 closes a field, which takes the latest of those before.
@@ -103,7 +122,8 @@ class Scanner {
       if (head.size() < 5) damaged("has a section cut short");
       const Part section{offset, bigEndian(std::string_view(head).substr(0, 4))};
       const int number = static_cast<unsigned char>(head[4]);
-      if (number < 1 || number > 7 || section.length < 5 || section.length > end - offset)
+      constexpr std::uint64_t kLeast[] = {0, 21, 5, 14, 9, 11, 6, 5};
+      if (number < 1 || number > 7 || section.length < kLeast[number] || section.length > end - offset)
         damaged(fmt::format("has a damaged section at byte {}", offset));
       latest[static_cast<std::size_t>(number)] = section;
       // A field may refer to a bitmap given before (indicator 254).
