@@ -23,7 +23,8 @@ std::vector<SpriteAtlas> readSpriteManifest(const std::filesystem::path& texture
   };
   std::vector<SpriteAtlas> atlases;
   try {
-    for (const auto& entry : nlohmann::json::parse(base::readFile(file, 1 << 20)).at("atlases")) {
+    const auto manifest = nlohmann::json::parse(base::readFile(file, 1 << 20));
+    for (const auto& entry : manifest.at("atlases")) {
       SpriteAtlas atlas;
       const auto genus = base::genusFromName(entry.at("genus").get<std::string>());
       if (!genus) fail("names an unknown genus");
