@@ -51,10 +51,10 @@ void writeBackground(NodeWriter& nodes, const light::Sky& sky) {
   std::vector<float> skyColors, groundColors;
   for (const float share : {0.0f, 0.35f, 0.7f, 1.0f})
     appendColor(skyColors, glm::mix(sky.zenith, sky.horizon, share));
-  for (const float share : {0.0f, 0.1f, 0.6f, 1.0f})
+  for (const float share : {0.0f, 0.1f, 1.0f, 1.0f})
     appendColor(groundColors, glm::mix(sky.ground, sky.horizon, share));
   nodes.open("Background");
-  nodes.numbers("groundAngle", std::array{1.2f, 1.5f, 1.5707f}, 1, 4);
+  nodes.numbers("groundAngle", std::array{0.8f, 1.25f, 1.5707f}, 1, 4);
   nodes.numbers("groundColor", groundColors, 3, 3);
   nodes.numbers("skyAngle", std::array{0.9f, 1.35f, 1.5707f}, 1, 4);
   nodes.numbers("skyColor", skyColors, 3, 3);

@@ -13,10 +13,11 @@
 namespace cloudgen::writer {
 namespace {
 
-constexpr float kReach = 2.2f;       ///< half-side of a quad, in standard deviations
-constexpr float kFaintest = 0.012f;  ///< opacity below which a quad is left out
-constexpr float kSmallestPlane =
-    0.3f;  ///< area of a third plane, to the second largest, below which it is left out
+constexpr float kReach = 2.2f;          ///< half-side of a quad, in standard deviations
+constexpr float kFaintest = 0.012f;     ///< opacity below which a quad is left out
+constexpr float kSmallestPlane = 0.7f;  ///< area of a plane, to the largest, below which it is left out
+/// Opacity of upright planes: edge-on, from above, they show as needles.
+constexpr float kUprightShare = 0.7f;
 
 float opacityOf(float opticalDepth) { return 1.0f - std::exp(-opticalDepth); }
 
@@ -88,12 +89,12 @@ QuadMesh crossedQuads(const std::vector<LitPuff>& puffs, const glm::vec3& origin
     const glm::vec3& s = lit.puff.sigma;
     // Plane i lies across axis i.
     const std::array<float, 3> areas{s.y * s.z, s.z * s.x, s.x * s.y};
-    std::array<float, 3> sorted = areas;
-    std::sort(sorted.begin(), sorted.end());
+    const float largest = std::max({areas[0], areas[1], areas[2]});
     for (int i = 0; i < 3; ++i) {
       const size_t plane = static_cast<size_t>(i);
-      if (areas[plane] == sorted[0] && sorted[0] < kSmallestPlane * sorted[1]) continue;
-      const glm::vec4 color = colorOf(lit, shape::centralOpticalDepth(lit.puff.extinctionPerMeter, s[i]));
+      if (areas[plane] < kSmallestPlane * largest) continue;
+      glm::vec4 color = colorOf(lit, shape::centralOpticalDepth(lit.puff.extinctionPerMeter, s[i]));
+      if (std::abs(axes[i].y) < 0.5f) color.a *= kUprightShare;
       if (color.a < kFaintest) continue;
       int right = (i + 1) % 3, up = (i + 2) % 3;
       if (std::abs(axes[right].y) > std::abs(axes[up].y)) std::swap(right, up);

@@ -35,9 +35,10 @@ struct LitPuff {
 QuadMesh facingQuads(const std::vector<LitPuff>& puffs, const glm::vec3& origin,
                      const image::SpriteAtlas& atlas);
 
-/// Two or three crossed quads a puff, in the planes of its own axes, with both faces. The faces are ordered
-/// so that from every side the near ones come last, given that back faces are not drawn; upright ones come
-/// before level ones.
+/// Up to three crossed quads a puff, in the planes of its own axes, with both faces; a flat puff has just the
+/// level one, as upright slivers would be seen as needles from above. The faces are ordered so that from
+/// every side the near ones come last, given that back faces are not drawn; upright ones come before level
+/// ones.
 QuadMesh crossedQuads(const std::vector<LitPuff>& puffs, const glm::vec3& origin,
                       const image::SpriteAtlas& atlas);
 
