@@ -52,6 +52,21 @@ class X3d : public testing::Test {
   fs::path root_;
 };
 
+/// What is left of VRML without its quoted strings and comments.
+std::string withoutStringsAndComments(const std::string& vrml) {
+  std::string rest;
+  for (std::size_t i = 0; i < vrml.size(); ++i) {
+    if (vrml[i] == '"') {
+      while (vrml[++i] != '"') i += vrml[i] == '\\' ? 1 : 0;
+    } else if (vrml[i] == '#') {
+      i = vrml.find('\n', i);
+    } else {
+      rest += vrml[i];
+    }
+  }
+  return rest;
+}
+
 struct Output {
   void (*write)(const scene::Scene&, const Destination&);
   const char *file, *header;
@@ -201,9 +216,9 @@ TEST_F(X3d, TexturesOfTheGeneraAreCopiedAndNoOthers) {
 
 TEST_F(X3d, ClassicAndVrml97HaveTheirHeadersAndBalancedBrackets) {
   for (const auto& [write, file, header] : kOutputs) {
-    std::string text = written(write, test::smallScene(), file);
-    EXPECT_TRUE(text.starts_with(header)) << file;
-    text = std::regex_replace(text, std::regex(R"(#[^\n]*|"(\\.|[^"\\])*")"), "");
+    const std::string all = written(write, test::smallScene(), file);
+    EXPECT_TRUE(all.starts_with(header)) << file;
+    const std::string text = withoutStringsAndComments(all);
     for (const auto& [open, close] : {std::pair{'{', '}'}, {'[', ']'}})
       EXPECT_EQ(std::count(text.begin(), text.end(), open), std::count(text.begin(), text.end(), close))
           << file;
