@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <numbers>
+#include <numeric>
 
 #include "base/text.hpp"
 #include "writer/x3d/clusters.hpp"
@@ -18,27 +19,35 @@ constexpr float kNearSizes = 6;      ///< a cloud is drawn in full up to this ma
 constexpr double kLiveClouds = 150;  ///< clouds that are drawn one by one around the viewer, about
 constexpr std::size_t kFarPuffs = 24000;  ///< puffs in the far shapes of all tiles together, about
 
+/// view3dscene 4.2 refuses the field `level` of VRML97's LOD, and the standard any other name for it: VRML97
+/// has no LOD here but this many clouds in full, and up to this many with their far level.
+constexpr std::size_t kVrml97Full = 60, kVrml97Simple = 1000;
+
 class CloudWalk {
  public:
   CloudWalk(NodeWriter& nodes, QuadShapes& shapes, const scene::Scene& scene, const Stage& stage)
-      : nodes_(nodes), shapes_(shapes), scene_(scene), stage_(stage), defined_(scene.lit.size()) {
-    chooseDetailed();
+      : nodes_(nodes),
+        shapes_(shapes),
+        scene_(scene),
+        stage_(stage),
+        defined_(scene.lit.size()),
+        simpleDefined_(scene.lit.size()) {
+    chooseDetail();
   }
 
   void tile(const scene::Tile& tile) {
-    const glm::vec3 center = 0.5f * (tile.lower + tile.upper);
-    std::vector<std::uint32_t> others;
-    nodes_.open("LOD", "children", fmt::format("Tile_{}_{}", signedName(tile.column), signedName(tile.row)));
-    nodes_.vector("center", center, 1);
+    const std::string def = fmt::format("Tile_{}_{}", signedName(tile.column), signedName(tile.row));
+    if (vrml97()) {
+      nodes_.open("Group", "children", def);
+      clouds(tile);
+      nodes_.close();
+      return;
+    }
+    nodes_.open("LOD", "children", def);
+    nodes_.vector("center", 0.5f * (tile.lower + tile.upper), 1);
     nodes_.numbers("range", std::array{tileRange()}, 1, 0);
     nodes_.open("Group");
-    for (const std::uint32_t i : tile.instances) {
-      if (detailed_[i])
-        cloud(i);
-      else
-        others.push_back(i);
-    }
-    cards(others);
+    clouds(tile);
     nodes_.close();
     nodes_.open("Group");
     cards(tile.instances);
@@ -47,6 +56,19 @@ class CloudWalk {
   }
 
  private:
+  enum class Detail : unsigned char { Full, Simple, Cards };
+
+  void clouds(const scene::Tile& tile) {
+    std::vector<std::uint32_t> others;
+    for (const std::uint32_t i : tile.instances) {
+      if (detail_[i] == Detail::Cards)
+        others.push_back(i);
+      else
+        cloud(i);
+    }
+    cards(others);
+  }
+
   /// XML names and VRML ids hold no minus sign in every viewer.
   static std::string signedName(int value) {
     return value < 0 ? "m" + std::to_string(-value) : std::to_string(value);
@@ -56,16 +78,28 @@ class CloudWalk {
     return scene_.archetypes[scene_.lit[instance.lit].archetype];
   }
 
-  void chooseDetailed() {
-    detailed_.assign(scene_.instances.size(), true);
-    if (scene_.instances.size() <= kMostCloudNodes) return;
+  bool vrml97() const { return nodes_.encoding() == Encoding::Vrml97; }
+
+  /// Which clouds become nodes of their own. In VRML97, which does without LOD, those nearest to where the
+  /// viewpoints look are drawn in full, more of them as their far level.
+  void chooseDetail() {
+    detail_.assign(scene_.instances.size(), Detail::Full);
     std::vector<std::uint32_t> order(scene_.instances.size());
-    for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
-    const auto width = [&](std::uint32_t i) {
-      return scene_.instances[i].scale * archetypeOf(scene_.instances[i]).widthMeters;
+    std::iota(order.begin(), order.end(), 0u);
+    if (!vrml97()) {
+      const auto width = [&](std::uint32_t i) {
+        return scene_.instances[i].scale * archetypeOf(scene_.instances[i]).widthMeters;
+      };
+      std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return width(a) > width(b); });
+      for (size_t i = kMostCloudNodes; i < order.size(); ++i) detail_[order[i]] = Detail::Cards;
+      return;
+    }
+    const auto distance = [&](std::uint32_t i) {
+      return glm::distance(scene_.instances[i].position, stage_.focus);
     };
-    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return width(a) > width(b); });
-    for (size_t i = kMostCloudNodes; i < order.size(); ++i) detailed_[order[i]] = false;
+    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return distance(a) < distance(b); });
+    for (size_t i = kVrml97Full; i < order.size(); ++i)
+      detail_[order[i]] = i < kVrml97Simple ? Detail::Simple : Detail::Cards;
   }
 
   /// Distance within which about kLiveClouds clouds stand; a viewer in the middle of a tile always sees its
@@ -86,7 +120,10 @@ class CloudWalk {
     nodes_.vector("scale", glm::vec3(instance.scale), 4);
     nodes_.vector("translation", instance.position, 1);
     if (i < scene_.clouds.size()) record(scene_.clouds[i]);
-    lit(instance.lit);
+    if (vrml97())
+      fixedLevel(instance.lit, detail_[i]);
+    else
+      levels(instance.lit);
     nodes_.close();
   }
 
@@ -138,29 +175,50 @@ class CloudWalk {
     return out;
   }
 
-  void lit(std::uint32_t index) {
+  std::string nameOf(const scene::LitArchetype& lit) const {
+    return fmt::format("{}_yaw{}", scene_.archetypes[lit.archetype].name, lit.yawStep);
+  }
+
+  void levels(std::uint32_t index) {
     const scene::LitArchetype& lit = scene_.lit[index];
-    const scene::Archetype& archetype = scene_.archetypes[lit.archetype];
-    const std::string def = fmt::format("{}_yaw{}", archetype.name, lit.yawStep);
-    if (defined_[index]) return nodes_.use("LOD", "children", def);
+    const shape::Bounds& box = scene_.archetypes[lit.archetype].bounds;
+    if (defined_[index]) return nodes_.use("LOD", "children", nameOf(lit));
     defined_[index] = true;
-    const glm::vec3 size = archetype.bounds.upper - archetype.bounds.lower;
-    nodes_.open("LOD", "children", def);
-    nodes_.vector("center", glm::vec3(0, 0.5f * (archetype.bounds.lower.y + archetype.bounds.upper.y), 0), 1);
+    const glm::vec3 size = box.upper - box.lower;
+    nodes_.open("LOD", "children", nameOf(lit));
+    nodes_.vector("center", glm::vec3(0, 0.5f * (box.lower.y + box.upper.y), 0), 1);
     nodes_.numbers("range", std::array{kNearSizes * std::max({size.x, size.y, size.z})}, 1, 0);
-    level(archetype.genus, turned(lit, archetype.puffs, lit.puffs), archetype.sectionStart, kMostClusters);
-    if (archetype.farPuffs.empty())
-      level(archetype.genus, turned(lit, archetype.puffs, lit.puffs), {}, 1);
-    else
-      level(archetype.genus, turned(lit, archetype.farPuffs, lit.farPuffs), {}, 1);
+    level(lit, Detail::Full, {});
+    level(lit, Detail::Simple, {});
     nodes_.close();
   }
 
-  void level(base::Genus genus, const std::vector<LitPuff>& puffs, std::span<const std::uint32_t> sections,
-             std::size_t most) {
+  void fixedLevel(std::uint32_t index, Detail detail) {
+    const scene::LitArchetype& lit = scene_.lit[index];
+    std::vector<bool>& defined = detail == Detail::Full ? defined_ : simpleDefined_;
+    const std::string def = nameOf(lit) + (detail == Detail::Full ? "" : "_far");
+    if (defined[index]) return nodes_.use("Group", "children", def);
+    defined[index] = true;
+    level(lit, detail, def);
+  }
+
+  /// A Group with the puffs (or, simple, the far puffs as one part) of a lit archetype.
+  void level(const scene::LitArchetype& lit, Detail detail, const std::string& def) {
+    const scene::Archetype& archetype = scene_.archetypes[lit.archetype];
+    if (detail == Detail::Full)
+      parts(archetype.genus, turned(lit, archetype.puffs, lit.puffs), archetype.sectionStart, kMostClusters,
+            def);
+    else if (archetype.farPuffs.empty())
+      parts(archetype.genus, turned(lit, archetype.puffs, lit.puffs), {}, 1, def);
+    else
+      parts(archetype.genus, turned(lit, archetype.farPuffs, lit.farPuffs), {}, 1, def);
+  }
+
+  void parts(base::Genus genus, const std::vector<LitPuff>& puffs, std::span<const std::uint32_t> sections,
+             std::size_t most, const std::string& def) {
     std::vector<shape::Puff> bare;
     for (const LitPuff& lit : puffs) bare.push_back(lit.puff);
-    nodes_.open("Group");
+    nodes_.open("Group", "children", def);
     for (const Cluster& cluster : clustersOf(bare, sections, most)) {
       std::vector<LitPuff> members;
       for (const std::uint32_t i : cluster.puffs) members.push_back(puffs[i]);
@@ -207,7 +265,8 @@ class CloudWalk {
   QuadShapes& shapes_;
   const scene::Scene& scene_;
   const Stage& stage_;
-  std::vector<bool> defined_, detailed_;
+  std::vector<Detail> detail_;
+  std::vector<bool> defined_, simpleDefined_;
 };
 
 }  // namespace

@@ -43,15 +43,12 @@ class VrmlWriter : public NodeWriter {
   void strings(std::string_view name, std::span<const std::string> values) override;
 
  private:
-  struct Level {
-    std::string type, list;  ///< the node, and its list of child nodes that is open
-  };
   void openField(std::string_view name, bool many) override;
   void closeField(bool many) override;
   void beginChild(std::string_view field);
 
   Encoding encoding_;
-  std::vector<Level> levels_;
+  std::vector<std::string> lists_;  ///< of every open node: its list of child nodes that is open
 };
 
 }  // namespace cloudgen::writer

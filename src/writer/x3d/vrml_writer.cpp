@@ -14,7 +14,7 @@ void appendQuoted(std::string& out, std::string_view value) {
 }
 
 /// Fields that hold many nodes; all others hold one.
-bool holdsMany(std::string_view field) { return field == "children" || field == "level" || field == "value"; }
+bool holdsMany(std::string_view field) { return field == "children" || field == "value"; }
 
 }  // namespace
 
@@ -35,25 +35,22 @@ void VrmlWriter::start(const HeadEntries& head) {
 
 void VrmlWriter::beginChild(std::string_view field) {
   file_.drain();
-  if (levels_.empty()) {
+  if (lists_.empty()) {
     text() += '\n';
     return;
   }
-  Level& parent = levels_.back();
-  // VRML97 calls the children of an LOD its levels.
-  const std::string_view name =
-      encoding_ == Encoding::Vrml97 && parent.type == "LOD" && field == "children" ? "level" : field;
-  if (parent.list != name) {
-    if (!parent.list.empty()) text() += " ]";
-    parent.list = holdsMany(name) ? name : std::string_view();
+  std::string& list = lists_.back();
+  if (list != field) {
+    if (!list.empty()) text() += " ]";
+    list = holdsMany(field) ? field : std::string_view();
     text() += '\n';
-    text().append(levels_.size(), ' ');
-    text() += name;
-    if (!parent.list.empty()) text() += " [";
+    text().append(lists_.size(), ' ');
+    text() += field;
+    if (!list.empty()) text() += " [";
   }
-  if (!parent.list.empty()) {
+  if (!list.empty()) {
     text() += '\n';
-    text().append(levels_.size(), ' ');
+    text().append(lists_.size(), ' ');
   } else {
     text() += ' ';
   }
@@ -68,13 +65,13 @@ void VrmlWriter::open(std::string_view type, std::string_view field, std::string
   }
   text() += type;
   text() += " {";
-  levels_.push_back({std::string(type), {}});
+  lists_.emplace_back();
 }
 
 void VrmlWriter::close() {
-  if (!levels_.back().list.empty()) text() += " ]";
+  if (!lists_.back().empty()) text() += " ]";
   text() += " }";
-  levels_.pop_back();
+  lists_.pop_back();
 }
 
 void VrmlWriter::use(std::string_view, std::string_view field, std::string_view def) {
