@@ -7,11 +7,15 @@
 #include "base/text.hpp"
 #include "writer/gltf/gltf.hpp"
 #include "writer/page/page.hpp"
+#include "writer/x3d/x3d.hpp"
 
 namespace cloudgen::writer {
 
 std::span<const Format> formats() {
   static const std::vector<Format> kFormats{
+      {"x3d", "X3D XML, portable profile", {"scene.x3d"}, writeX3d},
+      {"x3dv", "X3D in the ClassicVRML encoding", {"scene.x3dv"}, writeClassicVrml},
+      {"vrml", "VRML97", {"scene.wrl"}, writeVrml97},
       {"splats", "Gaussian splats: glTF with KHR_gaussian_splatting", {"scene.splats.glb"}, writeSplats},
       {"glb", "core glTF 2.0: instanced crossed cards", {"scene.glb"}, writeCards},
       {"page", "a page that opens in any browser (shows the splats)", {"index.html"}, writePage},

@@ -40,10 +40,10 @@ TEST(Scene, ScaleKeepsTheOpticalDepthAndTheFactorMultipliesIt) {
   const shape::Puff& puff = scene.archetypes[0].puffs[0];
   const shape::Puff scaled = placed(scene, scene.instances[0], puff);
   EXPECT_FLOAT_EQ(scaled.sigma.x, 75);
-  EXPECT_NEAR(shape::meanOpticalDepth(scaled), shape::meanOpticalDepth(puff), 1e-5);
+  EXPECT_NEAR(shape::frontalOpticalDepth(scaled), shape::frontalOpticalDepth(puff), 1e-5);
   scene.instances[0].opticalDepthFactor = 3;
-  EXPECT_NEAR(shape::meanOpticalDepth(placed(scene, scene.instances[0], puff)),
-              3 * shape::meanOpticalDepth(puff), 1e-5);
+  EXPECT_NEAR(shape::frontalOpticalDepth(placed(scene, scene.instances[0], puff)),
+              3 * shape::frontalOpticalDepth(puff), 1e-5);
   // Water (extinction area) grows with the footprint.
   EXPECT_NEAR(shape::extinctionArea(scaled) / shape::extinctionArea(puff), 2.5 * 2.5, 1e-4);
 }

@@ -121,7 +121,7 @@ TEST_F(Cards, TwoCardsTogetherHideWhatThePuffHides) {
       gltf::cardsOf(scene.archetypes[1], scene.lit[2], 1.5f, {.columns = 2, .rows = 2, .tilePixels = 64});
   const double seenThrough = 1 - mesh.colors[3] / 65535.0;
   EXPECT_NEAR(seenThrough * seenThrough,
-              std::exp(-1.5 * shape::meanOpticalDepth(scene.archetypes[1].farPuffs[0])), 1e-3);
+              std::exp(-1.5 * shape::frontalOpticalDepth(scene.archetypes[1].farPuffs[0])), 1e-3);
 }
 
 TEST_F(Cards, TheGroundLiesUnderTheBox) {

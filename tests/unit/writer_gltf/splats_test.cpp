@@ -73,7 +73,7 @@ std::vector<std::pair<shape::Puff, light::PuffLight>> visiblePuffs(const scene::
     const auto& lit = scene.lit[instance.lit];
     for (std::size_t p = 0; p < lit.puffs.size(); ++p) {
       const shape::Puff puff = scene::placed(scene, instance, scene.archetypes[lit.archetype].puffs[p]);
-      if (1 - std::exp(-shape::meanOpticalDepth(puff)) >= 0.004f) out.emplace_back(puff, lit.puffs[p]);
+      if (1 - std::exp(-shape::frontalOpticalDepth(puff)) >= 0.004f) out.emplace_back(puff, lit.puffs[p]);
     }
   }
   return out;
@@ -92,7 +92,7 @@ TEST(Splats, EveryVisiblePuffIsASplatAtItsPlace) {
     EXPECT_LT(glm::distance(found->center, puff.center), 0.01f);
     EXPECT_LT(glm::distance(found->sigma, puff.sigma), 1e-3f);
     EXPECT_GT(std::abs(glm::dot(found->rotation, puff.rotation)), 0.99999f);
-    EXPECT_NEAR(found->opacity, 1 - std::exp(-shape::meanOpticalDepth(puff)), 1e-5);
+    EXPECT_NEAR(found->opacity, 1 - std::exp(-shape::frontalOpticalDepth(puff)), 1e-5);
     EXPECT_NEAR(found->fallback.a, found->opacity, 0.5 / 255 + 1e-6);
     splats.erase(found);
   }

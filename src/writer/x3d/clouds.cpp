@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "writer/x3d/clouds.hpp"
+
+#include <array>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <numbers>
+#include <numeric>
+
+#include "base/text.hpp"
+#include "writer/x3d/clusters.hpp"
+
+namespace cloudgen::writer {
+namespace {
+
+constexpr std::size_t kMostClusters = 24;  ///< parts of a cloud seen from near
+constexpr float kNearSizes = 6;      ///< a cloud is drawn in full up to this many times its own size away
+constexpr double kLiveClouds = 150;  ///< clouds that are drawn one by one around the viewer, about
+constexpr std::size_t kFarPuffs = 24000;  ///< puffs in the far shapes of all tiles together, about
+
+/// view3dscene 4.2 refuses the field `level` of VRML97's LOD, and the standard any other name for it: VRML97
+/// has no LOD here but this many clouds in full, and up to this many with their far level.
+constexpr std::size_t kVrml97Full = 60, kVrml97Simple = 1000;
+
+class CloudWalk {
+ public:
+  CloudWalk(NodeWriter& nodes, QuadShapes& shapes, const scene::Scene& scene, const Stage& stage)
+      : nodes_(nodes),
+        shapes_(shapes),
+        scene_(scene),
+        stage_(stage),
+        defined_(scene.lit.size()),
+        simpleDefined_(scene.lit.size()) {
+    chooseDetail();
+  }
+
+  void tile(const scene::Tile& tile) {
+    const std::string def = fmt::format("Tile_{}_{}", signedName(tile.column), signedName(tile.row));
+    if (vrml97()) {
+      nodes_.open("Group", "children", def);
+      clouds(tile);
+      nodes_.close();
+      return;
+    }
+    nodes_.open("LOD", "children", def);
+    nodes_.vector("center", 0.5f * (tile.lower + tile.upper), 1);
+    nodes_.numbers("range", std::array{tileRange()}, 1, 0);
+    nodes_.open("Group");
+    clouds(tile);
+    nodes_.close();
+    nodes_.open("Group");
+    cards(tile.instances);
+    nodes_.close();
+    nodes_.close();
+  }
+
+ private:
+  enum class Detail : unsigned char { Full, Simple, Cards };
+
+  void clouds(const scene::Tile& tile) {
+    std::vector<std::uint32_t> others;
+    for (const std::uint32_t i : tile.instances) {
+      if (detail_[i] == Detail::Cards)
+        others.push_back(i);
+      else
+        cloud(i);
+    }
+    cards(others);
+  }
+
+  /// XML names and VRML ids hold no minus sign in every viewer.
+  static std::string signedName(int value) {
+    return value < 0 ? "m" + std::to_string(-value) : std::to_string(value);
+  }
+
+  const scene::Archetype& archetypeOf(const scene::Instance& instance) const {
+    return scene_.archetypes[scene_.lit[instance.lit].archetype];
+  }
+
+  bool vrml97() const { return nodes_.encoding() == Encoding::Vrml97; }
+
+  /// Which clouds become nodes of their own. In VRML97, which does without LOD, those nearest to where the
+  /// viewpoints look are drawn in full, more of them as their far level.
+  void chooseDetail() {
+    detail_.assign(scene_.instances.size(), Detail::Full);
+    std::vector<std::uint32_t> order(scene_.instances.size());
+    std::iota(order.begin(), order.end(), 0u);
+    if (!vrml97()) {
+      const auto width = [&](std::uint32_t i) {
+        return scene_.instances[i].scale * archetypeOf(scene_.instances[i]).widthMeters;
+      };
+      std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return width(a) > width(b); });
+      for (size_t i = kMostCloudNodes; i < order.size(); ++i) detail_[order[i]] = Detail::Cards;
+      return;
+    }
+    const auto distance = [&](std::uint32_t i) {
+      return glm::distance(scene_.instances[i].position, stage_.focus);
+    };
+    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return distance(a) < distance(b); });
+    for (size_t i = kVrml97Full; i < order.size(); ++i)
+      detail_[order[i]] = i < kVrml97Simple ? Detail::Simple : Detail::Cards;
+  }
+
+  /// Distance within which about kLiveClouds clouds stand; a viewer in the middle of a tile always sees its
+  /// clouds.
+  float tileRange() const {
+    const double count = static_cast<double>(std::min(scene_.instances.size(), kMostCloudNodes));
+    const double area =
+        static_cast<double>(stage_.upper.x - stage_.lower.x) * (stage_.upper.z - stage_.lower.z);
+    const double reach = std::sqrt(kLiveClouds * area / (std::numbers::pi * std::max(count, 1.0)));
+    const float side = tileSide(stage_);
+    return std::clamp(static_cast<float>(reach) + 0.5f * side, 0.9f * side,
+                      std::max(4 * stage_.extent, side));
+  }
+
+  void cloud(std::uint32_t i) {
+    const scene::Instance& instance = scene_.instances[i];
+    nodes_.open("Transform");
+    nodes_.vector("scale", glm::vec3(instance.scale), 4);
+    nodes_.vector("translation", instance.position, 1);
+    if (i < scene_.clouds.size()) record(scene_.clouds[i]);
+    if (vrml97())
+      fixedLevel(instance.lit, detail_[i]);
+    else
+      levels(instance.lit);
+    nodes_.close();
+  }
+
+  void record(const scene::CloudRecord& cloud) {
+    const std::string genus(base::abbreviation(cloud.genus)), id = std::to_string(cloud.id);
+    const std::array<float, 3> measures{cloud.baseMeters, cloud.topMeters, cloud.opticalDepth};
+    if (nodes_.encoding() == Encoding::Vrml97) {
+      std::string numbers = "base_m ";
+      base::appendFixed(numbers, measures[0], 0);
+      numbers += " top_m ";
+      base::appendFixed(numbers, measures[1], 0);
+      numbers += " optical_depth ";
+      base::appendFixed(numbers, measures[2], 2);
+      nodes_.open("WorldInfo");
+      nodes_.strings("info", std::vector<std::string>{"id " + id, "genus " + genus, "rule " + cloud.rule,
+                                                      "cell " + std::to_string(cloud.cell), numbers});
+      nodes_.string("title", "cloud");
+      nodes_.close();
+      return;
+    }
+    nodes_.open("MetadataSet", "metadata");
+    nodes_.string("name", "cloud");
+    nodes_.open("MetadataString", "value");
+    nodes_.string("name", "id genus rule");
+    nodes_.strings("value", std::vector<std::string>{id, genus, cloud.rule});
+    nodes_.close();
+    nodes_.open("MetadataInteger", "value");
+    nodes_.string("name", "cell");
+    nodes_.integers("value", std::array{static_cast<std::int32_t>(cloud.cell)});
+    nodes_.close();
+    nodes_.open("MetadataFloat", "value");
+    nodes_.string("name", "base_m top_m optical_depth");
+    nodes_.numbers("value", measures, 1, 2);
+    nodes_.close();
+    nodes_.close();
+  }
+
+  /// The puffs of a lit archetype, turned by its yaw.
+  std::vector<LitPuff> turned(const scene::LitArchetype& lit, std::span<const shape::Puff> puffs,
+                              std::span<const light::PuffLight> lights) const {
+    const glm::quat turn = glm::angleAxis(scene::yawRadians(lit.yawStep), glm::vec3(0, 1, 0));
+    std::vector<LitPuff> out;
+    for (size_t i = 0; i < puffs.size(); ++i) {
+      LitPuff one{puffs[i], i < lights.size() ? lights[i].color : glm::vec3(1)};
+      one.puff.center = turn * one.puff.center;
+      one.puff.rotation = turn * one.puff.rotation;
+      out.push_back(one);
+    }
+    return out;
+  }
+
+  std::string nameOf(const scene::LitArchetype& lit) const {
+    return fmt::format("{}_yaw{}", scene_.archetypes[lit.archetype].name, lit.yawStep);
+  }
+
+  void levels(std::uint32_t index) {
+    const scene::LitArchetype& lit = scene_.lit[index];
+    const shape::Bounds& box = scene_.archetypes[lit.archetype].bounds;
+    if (defined_[index]) return nodes_.use("LOD", "children", nameOf(lit));
+    defined_[index] = true;
+    const glm::vec3 size = box.upper - box.lower;
+    nodes_.open("LOD", "children", nameOf(lit));
+    nodes_.vector("center", glm::vec3(0, 0.5f * (box.lower.y + box.upper.y), 0), 1);
+    nodes_.numbers("range", std::array{kNearSizes * std::max({size.x, size.y, size.z})}, 1, 0);
+    level(lit, Detail::Full, {});
+    level(lit, Detail::Simple, {});
+    nodes_.close();
+  }
+
+  void fixedLevel(std::uint32_t index, Detail detail) {
+    const scene::LitArchetype& lit = scene_.lit[index];
+    std::vector<bool>& defined = detail == Detail::Full ? defined_ : simpleDefined_;
+    const std::string def = nameOf(lit) + (detail == Detail::Full ? "" : "_far");
+    if (defined[index]) return nodes_.use("Group", "children", def);
+    defined[index] = true;
+    level(lit, detail, def);
+  }
+
+  /// A Group with the puffs (or, simple, the far puffs as one part) of a lit archetype.
+  void level(const scene::LitArchetype& lit, Detail detail, const std::string& def) {
+    const scene::Archetype& archetype = scene_.archetypes[lit.archetype];
+    if (detail == Detail::Full)
+      parts(archetype.genus, turned(lit, archetype.puffs, lit.puffs), archetype.sectionStart, kMostClusters,
+            def);
+    else if (archetype.farPuffs.empty())
+      parts(archetype.genus, turned(lit, archetype.puffs, lit.puffs), {}, 1, def);
+    else
+      parts(archetype.genus, turned(lit, archetype.farPuffs, lit.farPuffs), {}, 1, def);
+  }
+
+  void parts(base::Genus genus, const std::vector<LitPuff>& puffs, std::span<const std::uint32_t> sections,
+             std::size_t most, const std::string& def) {
+    std::vector<shape::Puff> bare;
+    for (const LitPuff& lit : puffs) bare.push_back(lit.puff);
+    nodes_.open("Group", "children", def);
+    for (const Cluster& cluster : clustersOf(bare, sections, most)) {
+      std::vector<LitPuff> members;
+      for (const std::uint32_t i : cluster.puffs) members.push_back(puffs[i]);
+      if (!cluster.turns) {
+        shapes_.write(genus, crossedQuads(members, glm::vec3(0), shapes_.atlas(genus)));
+        continue;
+      }
+      nodes_.open("Transform");
+      nodes_.vector("translation", cluster.center, 1);
+      nodes_.open("Billboard");
+      nodes_.vector("axisOfRotation", glm::vec3(0), 0);
+      shapes_.write(genus, facingQuads(members, cluster.center, shapes_.atlas(genus)));
+      nodes_.close();
+      nodes_.close();
+    }
+    nodes_.close();
+  }
+
+  /// Clouds as crossed cards, one Shape a genus, in the scene frame.
+  void cards(std::span<const std::uint32_t> instances) {
+    const bool whole = 8 * scene_.instances.size() <= kFarPuffs;
+    std::map<base::Genus, std::vector<LitPuff>> puffs;
+    for (const std::uint32_t i : instances) {
+      const scene::Instance& instance = scene_.instances[i];
+      const scene::LitArchetype& lit = scene_.lit[instance.lit];
+      const scene::Archetype& archetype = archetypeOf(instance);
+      const bool far = !archetype.farPuffs.empty();
+      const auto& source = far ? archetype.farPuffs : archetype.puffs;
+      const auto& lights = far ? lit.farPuffs : lit.puffs;
+      std::vector<LitPuff> placed;
+      for (size_t p = 0; p < source.size(); ++p)
+        placed.push_back(
+            {scene::placed(scene_, instance, source[p]), p < lights.size() ? lights[p].color : glm::vec3(1)});
+      if (placed.empty()) continue;
+      if (!whole || !far) placed = {merged(placed)};
+      auto& all = puffs[archetype.genus];
+      all.insert(all.end(), placed.begin(), placed.end());
+    }
+    for (const auto& [genus, all] : puffs)
+      shapes_.write(genus, crossedQuads(all, glm::vec3(0), shapes_.atlas(genus)));
+  }
+
+  NodeWriter& nodes_;
+  QuadShapes& shapes_;
+  const scene::Scene& scene_;
+  const Stage& stage_;
+  std::vector<Detail> detail_;
+  std::vector<bool> defined_, simpleDefined_;
+};
+
+}  // namespace
+
+void writeClouds(NodeWriter& nodes, QuadShapes& shapes, const scene::Scene& scene, const Stage& stage,
+                 const base::Progress& progress) {
+  CloudWalk walk(nodes, shapes, scene, stage);
+  const auto tiles = scene::tilesOf(scene, tileSide(stage));
+  for (size_t i = 0; i < tiles.size(); ++i) {
+    progress.step("writing X3D", static_cast<double>(i) / static_cast<double>(tiles.size()));
+    walk.tile(tiles[i]);
+  }
+}
+
+}  // namespace cloudgen::writer

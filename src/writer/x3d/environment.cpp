@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "writer/x3d/environment.hpp"
+
+#include <array>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "base/text.hpp"
+#include "light/color.hpp"
+#include "writer/x3d/viewpoints.hpp"
+
+namespace cloudgen::writer {
+namespace {
+
+using light::srgbFromLinear;
+
+std::string joined(std::span<const std::string> parts) {
+  std::string text;
+  for (const std::string& part : parts) text += (text.empty() ? "" : ", ") + part;
+  return text;
+}
+
+void writeInfo(NodeWriter& nodes, const HeadEntries& head) {
+  std::vector<std::string> info;
+  for (const auto& [name, content] : head)
+    if (name != "title") info.push_back(name + ": " + content);
+  nodes.open("WorldInfo");
+  nodes.strings("info", info);
+  nodes.string("title", head.front().second);
+  nodes.close();
+}
+
+void writeNavigation(NodeWriter& nodes, const Stage& stage) {
+  nodes.open("NavigationInfo");
+  // Viewers put the near plane at about half the first size.
+  const float collision = std::max(0.5f, stage.extent / 10000);
+  nodes.numbers("avatarSize", std::array{collision, 1.7f, 0.75f * collision}, 1, 2);
+  nodes.boolean("headlight", false);
+  nodes.number("speed", std::max(20.0f, 0.25f * stage.cloudWidth), 0);
+  nodes.strings("type", std::vector<std::string>{"FLY", "EXAMINE", "ANY"});
+  nodes.number("visibilityLimit", 6 * stage.extent, 0);
+  nodes.close();
+}
+
+void appendColor(std::vector<float>& out, const glm::vec3& linear) {
+  const glm::vec3 c = srgbFromLinear(linear);
+  out.insert(out.end(), {c.r, c.g, c.b});
+}
+
+void writeBackground(NodeWriter& nodes, const light::Sky& sky) {
+  std::vector<float> skyColors, groundColors;
+  for (const float share : {0.0f, 0.35f, 0.7f, 1.0f})
+    appendColor(skyColors, glm::mix(sky.zenith, sky.horizon, share));
+  for (const float share : {0.0f, 0.1f, 1.0f, 1.0f})
+    appendColor(groundColors, glm::mix(sky.ground, sky.horizon, share));
+  nodes.open("Background");
+  nodes.numbers("groundAngle", std::array{0.8f, 1.25f, 1.5707f}, 1, 4);
+  nodes.numbers("groundColor", groundColors, 3, 3);
+  nodes.numbers("skyAngle", std::array{0.9f, 1.35f, 1.5707f}, 1, 4);
+  nodes.numbers("skyColor", skyColors, 3, 3);
+  nodes.close();
+}
+
+void writeViews(NodeWriter& nodes, const scene::Scene& scene, const Stage& stage) {
+  for (const View& view : viewsOf(scene, stage)) {
+    nodes.open("Viewpoint", "children", view.name);
+    if (nodes.encoding() != Encoding::Vrml97) nodes.vector("centerOfRotation", view.target, 1);
+    nodes.string("description", view.description);
+    nodes.rotation("orientation", view.rotation);
+    nodes.vector("position", view.eye, 1);
+    nodes.close();
+  }
+}
+
+void writeSun(NodeWriter& nodes, const light::Sun& sun) {
+  nodes.open("DirectionalLight", "children", "Sun");
+  nodes.vector("color", srgbFromLinear(sun.color), 3);
+  nodes.vector("direction", -sun.direction, 4);
+  nodes.close();
+}
+
+/// A flat square that reaches half a scene further than the scene and fades there into the colour of the
+/// horizon.
+void writeGround(NodeWriter& nodes, const scene::Scene& scene, const Stage& stage) {
+  constexpr int kCells = 24;
+  const glm::vec3 middle = 0.5f * (stage.lower + stage.upper);
+  std::vector<float> points, colors;
+  std::vector<std::int32_t> indices;
+  for (int row = 0; row <= kCells; ++row) {
+    for (int column = 0; column <= kCells; ++column) {
+      const float u = 2.0f * static_cast<float>(column) / kCells - 1,
+                  v = 2.0f * static_cast<float>(row) / kCells - 1;
+      points.insert(points.end(), {middle.x + 2 * u * stage.extent, scene.groundHeightMeters,
+                                   middle.z + 2 * v * stage.extent});
+      const float haze = glm::smoothstep(0.3f, 1.0f, std::hypot(u, v));
+      appendColor(colors, glm::mix(scene.sky.ground, scene.sky.horizon, haze));
+      if (row == kCells || column == kCells) continue;
+      const int corner = row * (kCells + 1) + column;
+      indices.insert(indices.end(), {corner, corner + kCells + 1, corner + kCells + 2, corner + 1, -1});
+    }
+  }
+  nodes.open("Shape", "children", "Ground");
+  nodes.open("IndexedFaceSet", "geometry");
+  nodes.integers("coordIndex", indices);
+  nodes.boolean("solid", false);
+  nodes.open("Color", "color");
+  nodes.numbers("color", colors, 3, 3);
+  nodes.close();
+  nodes.open("Coordinate", "coord");
+  nodes.numbers("point", points, 3, 0);
+  nodes.close();
+  nodes.close();
+  nodes.close();
+}
+
+/// The step of lines, in degrees, that gives about eight of them.
+double lineStep(double degrees) {
+  for (const double step : {0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0})
+    if (degrees / step <= 10) return step;
+  return 30;
+}
+
+void writeGraticule(NodeWriter& nodes, const scene::Scene& scene, const Stage& stage) {
+  const base::GeoBox& box = scene.frame.box();
+  const double step = lineStep(std::max(box.width(), box.height()));
+  const double east = box.west + box.width();
+  const float height = scene.groundHeightMeters + std::max(2.0f, 0.0004f * stage.extent);
+  constexpr int kPieces = 32;
+  std::vector<float> points;
+  std::vector<std::int32_t> indices;
+  const auto line = [&](double longitude0, double latitude0, double longitude1, double latitude1) {
+    for (int i = 0; i <= kPieces; ++i) {
+      const double t = static_cast<double>(i) / kPieces;
+      const glm::dvec3 p =
+          scene.frame.toScene(glm::mix(longitude0, longitude1, t), glm::mix(latitude0, latitude1, t), height);
+      indices.push_back(static_cast<std::int32_t>(points.size() / 3));
+      points.insert(points.end(),
+                    {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
+    }
+    indices.push_back(-1);
+  };
+  for (double i = std::ceil(box.west / step); i * step <= east; ++i)
+    line(i * step, box.south, i * step, box.north);
+  for (double i = std::ceil(box.south / step); i * step <= box.north; ++i)
+    line(box.west, i * step, east, i * step);
+  if (points.empty()) return;
+  nodes.open("Shape", "children", "Graticule");
+  nodes.open("Appearance", "appearance");
+  nodes.open("Material", "material");
+  nodes.vector("diffuseColor", glm::vec3(0), 0);
+  nodes.vector("emissiveColor", srgbFromLinear(glm::mix(scene.sky.ground, scene.sky.horizon, 0.25f)), 3);
+  nodes.close();
+  nodes.close();
+  nodes.open("IndexedLineSet", "geometry");
+  nodes.integers("coordIndex", indices);
+  nodes.open("Coordinate", "coord");
+  nodes.numbers("point", points, 3, 1);
+  nodes.close();
+  nodes.close();
+  nodes.close();
+}
+
+}  // namespace
+
+HeadEntries headOf(const scene::Scene& scene, const Stage& stage) {
+  const base::GeoBox& box = scene.frame.box();
+  const scene::Provenance& from = scene.provenance;
+  std::vector<std::string> files;
+  for (const std::string& file : from.files) files.push_back(std::filesystem::path(file).filename().string());
+  HeadEntries head{
+      {"title", "Clouds of " + base::isoText(scene.validTime)},
+      {"creator", "cloudgen"},
+      {"generator", "cloudgen"},
+      {"description", fmt::format("{} clouds from {} model output, X3D Immersive profile",
+                                  scene.instances.size(), from.model.empty() ? "weather" : from.model)}};
+  if (!files.empty()) head.emplace_back("source", joined(files));
+  if (!from.format.empty()) head.emplace_back("source format", from.format);
+  if (!from.model.empty()) head.emplace_back("model", from.model);
+  if (!from.run.empty()) head.emplace_back("run", from.run);
+  head.emplace_back("valid time", base::isoText(scene.validTime));
+  head.emplace_back(
+      "bounds", fmt::format("west {} south {} east {} north {} degrees", base::shortest(box.west),
+                            base::shortest(box.south), base::shortest(box.east), base::shortest(box.north)));
+  std::string meters;
+  for (const float value :
+       {stage.lower.x, stage.lower.y, stage.lower.z, stage.upper.x, stage.upper.y, stage.upper.z}) {
+    if (!meters.empty()) meters += ' ';
+    base::appendFixed(meters, value, 0);
+  }
+  head.emplace_back("bounds in metres", meters);
+  head.emplace_back("frame",
+                    "metres, x east, y up from mean sea level, z south, origin at the south-west corner; " +
+                        scene.frame.definition());
+  head.emplace_back("seed", std::to_string(scene.seed));
+  return head;
+}
+
+void writeEnvironment(NodeWriter& nodes, const scene::Scene& scene, const Stage& stage,
+                      const HeadEntries& head) {
+  writeInfo(nodes, head);
+  writeNavigation(nodes, stage);
+  writeBackground(nodes, scene.sky);
+  writeViews(nodes, scene, stage);
+  writeSun(nodes, scene.sun);
+  writeGround(nodes, scene, stage);
+  writeGraticule(nodes, scene, stage);
+}
+
+}  // namespace cloudgen::writer

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "writer/x3d/quad_shape.hpp"
+
+#include <optional>
+
+namespace cloudgen::writer {
+namespace {
+
+constexpr float kThinOpacity = 0.7f;  ///< mean opacity below which a VRML97 mesh is drawn translucent
+
+/// Mean colour and opacity of quads, weighted by their area.
+glm::vec4 meanColor(const QuadMesh& mesh) {
+  glm::dvec4 sum(0);
+  double whole = 0;
+  for (const Quad& quad : mesh.quads) {
+    const double area = static_cast<double>(glm::length(quad.right)) * glm::length(quad.up);
+    sum += area * glm::dvec4(quad.color);
+    whole += area;
+  }
+  return glm::vec4(sum / whole);
+}
+
+/// A few thousand metres need no tenths.
+int decimalsFor(const QuadMesh& mesh) {
+  float reach = 0;
+  for (const Quad& quad : mesh.quads)
+    reach = std::max({reach, std::abs(quad.center.x), std::abs(quad.center.z)});
+  return reach > 5000 ? 0 : 1;
+}
+
+void append(std::vector<float>& out, const glm::vec3& v) { out.insert(out.end(), {v.x, v.y, v.z}); }
+
+}  // namespace
+
+void QuadShapes::write(base::Genus genus, const QuadMesh& mesh) {
+  if (mesh.faces.empty()) return;
+  std::optional<glm::vec4> material;
+  if (nodes_.encoding() == Encoding::Vrml97) {
+    const glm::vec4 mean = meanColor(mesh);
+    if (mean.a < kThinOpacity) material = mean;
+  }
+  const std::span<const std::uint32_t> faces(mesh.faces);
+  for (size_t i = 0; i < faces.size(); i += kFacesPerShape)
+    shape(genus, mesh, faces.subspan(i, std::min(kFacesPerShape, faces.size() - i)),
+          material ? &*material : nullptr);
+}
+
+void QuadShapes::texture(base::Genus genus) {
+  const std::string def = "Sprites_" + std::string(base::abbreviation(genus));
+  bool& defined = textureDefined_[static_cast<size_t>(genus)];
+  if (defined) return nodes_.use("ImageTexture", "texture", def);
+  defined = true;
+  nodes_.open("ImageTexture", "texture", def);
+  nodes_.strings("url", std::vector<std::string>{"textures/" + atlas(genus).file});
+  nodes_.close();
+}
+
+void QuadShapes::appearance(base::Genus genus, const glm::vec4* material) {
+  if (material) {
+    nodes_.open("Appearance", "appearance");
+    nodes_.open("Material", "material");
+    nodes_.number("ambientIntensity", 0, 0);
+    nodes_.vector("diffuseColor", glm::vec3(0), 0);
+    nodes_.vector("emissiveColor", glm::vec3(*material), 3);
+    nodes_.number("transparency", 1 - material->a, 3);
+    nodes_.close();
+    texture(genus);
+    nodes_.close();
+    return;
+  }
+  const std::string def = "Look_" + std::string(base::abbreviation(genus));
+  bool& defined = appearanceDefined_[static_cast<size_t>(genus)];
+  if (defined) return nodes_.use("Appearance", "appearance", def);
+  defined = true;
+  nodes_.open("Appearance", "appearance", def);
+  texture(genus);
+  nodes_.close();
+}
+
+void QuadShapes::shape(base::Genus genus, const QuadMesh& mesh, std::span<const std::uint32_t> faces,
+                       const glm::vec4* material) {
+  const bool vrml97 = nodes_.encoding() == Encoding::Vrml97;
+  std::vector<float> points, textureBoxes, colors;
+  std::vector<std::int32_t> indices, first(mesh.quads.size(), -1);
+  for (const std::uint32_t face : faces) {
+    const Quad& quad = mesh.quads[face / 2];
+    std::int32_t& start = first[face / 2];
+    if (start < 0) {
+      start = static_cast<std::int32_t>(points.size() / 3);
+      const glm::vec4& box = quad.textureBox;
+      append(points, quad.center - quad.right - quad.up);
+      append(points, quad.center + quad.right - quad.up);
+      append(points, quad.center + quad.right + quad.up);
+      append(points, quad.center - quad.right + quad.up);
+      textureBoxes.insert(textureBoxes.end(), {box.x, box.y, box.z, box.y, box.z, box.w, box.x, box.w});
+      for (int corner = 0; corner < 4; ++corner) {
+        append(colors, glm::vec3(quad.color));
+        if (!vrml97) colors.push_back(quad.color.a);
+      }
+    }
+    const std::int32_t s = start;
+    if (vrml97 && face % 2 == 0) indices.insert(indices.end(), {s, s + 1, s + 2, s + 3, -1});
+    if (vrml97 && face % 2 == 1) indices.insert(indices.end(), {s, s + 3, s + 2, s + 1, -1});
+    if (!vrml97 && face % 2 == 0) indices.insert(indices.end(), {s, s + 1, s + 2, s, s + 2, s + 3});
+    if (!vrml97 && face % 2 == 1) indices.insert(indices.end(), {s, s + 2, s + 1, s, s + 3, s + 2});
+  }
+
+  nodes_.open("Shape");
+  appearance(genus, material);
+  nodes_.open(vrml97 ? "IndexedFaceSet" : "IndexedTriangleSet", "geometry");
+  nodes_.integers(vrml97 ? "coordIndex" : "index", indices);
+  if (!material) {
+    nodes_.open(vrml97 ? "Color" : "ColorRGBA", "color");
+    nodes_.numbers("color", colors, vrml97 ? 3 : 4, 3);
+    nodes_.close();
+  }
+  nodes_.open("TextureCoordinate", "texCoord");
+  nodes_.numbers("point", textureBoxes, 2, 4);
+  nodes_.close();
+  nodes_.open("Coordinate", "coord");
+  nodes_.numbers("point", points, 3, decimalsFor(mesh));
+  nodes_.close();
+  nodes_.close();
+  nodes_.close();
+}
+
+}  // namespace cloudgen::writer

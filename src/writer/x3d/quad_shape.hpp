@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "base/genus.hpp"
+#include "writer/x3d/node_writer.hpp"
+#include "writer/x3d/quads.hpp"
+
+namespace cloudgen::writer {
+
+/// Faces that one Shape holds at most: it keeps every attribute under 100,000 values, which readers stay fast
+/// with.
+inline constexpr std::size_t kFacesPerShape = 16000;
+
+/// Writes quads as Shapes with the texture of their genus. The Appearance of a genus is defined by its first
+/// Shape and used by the others: viewers then load the texture once.
+class QuadShapes {
+ public:
+  QuadShapes(NodeWriter& nodes, const std::vector<image::SpriteAtlas>& atlases)
+      : nodes_(nodes), atlases_(atlases) {}
+
+  /// One Shape in the open node's children, more of them if there are more than kFacesPerShape faces; none
+  /// for no face. Colours are unlit: X3D has an RGBA colour a vertex and no Material. VRML97 knows no opacity
+  /// a vertex: there a mesh that is thin on the whole gets one translucent emissive Material, any other its
+  /// colours without their opacity.
+  void write(base::Genus genus, const QuadMesh& mesh);
+
+  const image::SpriteAtlas& atlas(base::Genus genus) const { return image::atlasOf(atlases_, genus); }
+
+ private:
+  void appearance(base::Genus genus, const glm::vec4* material);
+  void texture(base::Genus genus);
+  void shape(base::Genus genus, const QuadMesh& mesh, std::span<const std::uint32_t> faces,
+             const glm::vec4* material);
+
+  NodeWriter& nodes_;
+  const std::vector<image::SpriteAtlas>& atlases_;
+  std::array<bool, base::kGenusCount> appearanceDefined_{}, textureDefined_{};
+};
+
+}  // namespace cloudgen::writer

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "writer/x3d/quads.hpp"
+
+#include <array>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <numbers>
+#include <numeric>
+
+#include "light/color.hpp"
+
+namespace cloudgen::writer {
+namespace {
+
+constexpr float kReach = 2.2f;          ///< half-side of a quad, in standard deviations
+constexpr float kFaintest = 0.012f;     ///< opacity below which a quad is left out
+constexpr float kSmallestPlane = 0.7f;  ///< area of a plane, to the largest, below which it is left out
+/// Opacity of upright planes: edge-on, from above, they show as needles.
+constexpr float kUprightShare = 0.7f;
+
+float opacityOf(float opticalDepth) { return 1.0f - std::exp(-opticalDepth); }
+
+glm::vec4 colorOf(const LitPuff& lit, float opticalDepth) {
+  return glm::vec4(light::srgbFromLinear(lit.color), opacityOf(opticalDepth));
+}
+
+glm::mat3 covariance(const shape::Puff& puff) {
+  const glm::mat3 axes = glm::mat3_cast(puff.rotation);
+  glm::mat3 scaled(0);
+  for (int i = 0; i < 3; ++i) scaled[i] = axes[i] * (puff.sigma[i] * puff.sigma[i]);
+  return scaled * glm::transpose(axes);
+}
+
+/// Half-axes, one standard deviation long, of the ellipse that a puff shows to a viewer on the z axis; the
+/// first is the one nearer to the x axis, so that sprites stay upright.
+std::array<glm::vec3, 2> shownAxes(const shape::Puff& puff) {
+  const glm::mat3 c = covariance(puff);
+  const float xx = c[0][0], yy = c[1][1], xy = c[1][0];
+  const float middle = 0.5f * (xx + yy), reach = std::hypot(0.5f * (xx - yy), xy);
+  if (reach < 0.02f * middle) return {glm::vec3(std::sqrt(xx), 0, 0), glm::vec3(0, std::sqrt(yy), 0)};
+  // The half-angle form of the principal direction; within 45 degrees of the x axis by the choice of the
+  // root.
+  float angle = 0.5f * std::atan2(2 * xy, xx - yy), first = middle + reach, second = middle - reach;
+  const float quarter = std::numbers::pi_v<float> / 4;
+  if (std::abs(angle) > quarter) {
+    angle -= std::copysign(2 * quarter, angle);
+    std::swap(first, second);
+  }
+  const float cosine = std::cos(angle), sine = std::sin(angle);
+  return {std::sqrt(first) * glm::vec3(cosine, sine, 0),
+          std::sqrt(std::max(second, 0.0f)) * glm::vec3(-sine, cosine, 0)};
+}
+
+/// The side of the box that a direction points to most, as draw order: 0..5 = +z -z +x -x +y -y.
+int sideOf(const glm::vec3& normal) {
+  const glm::vec3 size = glm::abs(normal);
+  const int axis = size.y >= size.x && size.y >= size.z ? 1 : size.x > size.z ? 0 : 2;
+  constexpr std::array<int, 3> kOrder{2, 4, 0};
+  return kOrder[static_cast<size_t>(axis)] + (normal[axis] < 0 ? 1 : 0);
+}
+
+}  // namespace
+
+QuadMesh facingQuads(const std::vector<LitPuff>& puffs, const glm::vec3& origin,
+                     const image::SpriteAtlas& atlas) {
+  std::vector<size_t> order(puffs.size());
+  std::iota(order.begin(), order.end(), size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](size_t a, size_t b) { return puffs[a].puff.center.z < puffs[b].puff.center.z; });
+  QuadMesh mesh;
+  for (const size_t i : order) {
+    const shape::Puff& puff = puffs[i].puff;
+    const glm::vec4 color = colorOf(puffs[i], shape::frontalOpticalDepth(puff));
+    if (color.a < kFaintest) continue;
+    const auto axes = shownAxes(puff);
+    mesh.faces.push_back(static_cast<std::uint32_t>(2 * mesh.quads.size()));
+    mesh.quads.push_back({puff.center - origin, kReach * axes[0], kReach * axes[1],
+                          atlas.textureBox(puff.sprite % atlas.tiles()), color});
+  }
+  return mesh;
+}
+
+QuadMesh crossedQuads(const std::vector<LitPuff>& puffs, const glm::vec3& origin,
+                      const image::SpriteAtlas& atlas) {
+  QuadMesh mesh;
+  for (const LitPuff& lit : puffs) {
+    const glm::mat3 axes = glm::mat3_cast(lit.puff.rotation);
+    const glm::vec3& s = lit.puff.sigma;
+    // Plane i lies across axis i.
+    const std::array<float, 3> areas{s.y * s.z, s.z * s.x, s.x * s.y};
+    const float largest = std::max({areas[0], areas[1], areas[2]});
+    for (int i = 0; i < 3; ++i) {
+      const size_t plane = static_cast<size_t>(i);
+      if (areas[plane] < kSmallestPlane * largest) continue;
+      glm::vec4 color = colorOf(lit, shape::centralOpticalDepth(lit.puff.extinctionPerMeter, s[i]));
+      if (std::abs(axes[i].y) < 0.5f) color.a *= kUprightShare;
+      if (color.a < kFaintest) continue;
+      int right = (i + 1) % 3, up = (i + 2) % 3;
+      if (std::abs(axes[right].y) > std::abs(axes[up].y)) std::swap(right, up);
+      mesh.quads.push_back({lit.puff.center - origin, kReach * s[right] * axes[right],
+                            kReach * s[up] * axes[up], atlas.textureBox(lit.puff.sprite % atlas.tiles()),
+                            color});
+    }
+  }
+  struct Face {
+    int side;
+    float depth;
+    std::uint32_t face;
+  };
+  std::vector<Face> faces;
+  for (std::uint32_t i = 0; i < mesh.quads.size(); ++i) {
+    const glm::vec3 normal = glm::cross(mesh.quads[i].right, mesh.quads[i].up);
+    for (std::uint32_t back = 0; back < 2; ++back) {
+      const int side = sideOf(back ? -normal : normal);
+      const glm::vec3& center = mesh.quads[i].center;
+      const std::array<float, 6> depths{center.z, -center.z, center.x, -center.x, center.y, -center.y};
+      faces.push_back({side, depths[static_cast<size_t>(side)], 2 * i + back});
+    }
+  }
+  std::sort(faces.begin(), faces.end(), [](const Face& a, const Face& b) {
+    return std::tie(a.side, a.depth, a.face) < std::tie(b.side, b.depth, b.face);
+  });
+  for (const Face& face : faces) mesh.faces.push_back(face.face);
+  return mesh;
+}
+
+LitPuff merged(const std::vector<LitPuff>& puffs) {
+  LitPuff one = puffs.front();
+  double whole = 0;
+  glm::dvec3 center(0), square(0), color(0);
+  for (const LitPuff& lit : puffs) {
+    const double weight = shape::extinctionArea(lit.puff);
+    const glm::mat3 spread = covariance(lit.puff);
+    const glm::dvec3 at(lit.puff.center);
+    whole += weight;
+    center += weight * at;
+    square += weight * (at * at + glm::dvec3(spread[0][0], spread[1][1], spread[2][2]));
+    color += weight * glm::dvec3(lit.color);
+  }
+  if (whole <= 0) return one;
+  center /= whole;
+  const glm::dvec3 variance = glm::max(square / whole - center * center, glm::dvec3(1));
+  one.puff.center = glm::vec3(center);
+  one.puff.sigma = glm::vec3(glm::sqrt(variance));
+  one.puff.rotation = glm::quat(1, 0, 0, 0);
+  one.puff.extinctionPerMeter = 1;
+  one.puff.extinctionPerMeter = static_cast<float>(whole / shape::extinctionArea(one.puff));
+  one.color = glm::vec3(color / whole);
+  return one;
+}
+
+}  // namespace cloudgen::writer

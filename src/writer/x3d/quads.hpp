@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <vector>
+
+#include "image/sprite_atlas.hpp"
+#include "shape/puff.hpp"
+
+namespace cloudgen::writer {
+
+/// A textured rectangle; its front looks along right x up.
+struct Quad {
+  glm::vec3 center{0}, right{0}, up{0};  ///< half-sides
+  glm::vec4 textureBox{0};               ///< u0, v0, u1, v1
+  glm::vec4 color{1};                    ///< sRGB code values and opacity, 0..1
+};
+
+/// Quads and the order in which their faces are drawn: 2 i for the front of quad i, 2 i + 1 for its back.
+struct QuadMesh {
+  std::vector<Quad> quads;
+  std::vector<std::uint32_t> faces;
+};
+
+/// A puff to be drawn, with its light in display-linear RGB.
+struct LitPuff {
+  shape::Puff puff;
+  glm::vec3 color{1};
+};
+
+/// One quad a puff, laid out for a Billboard with its origin at `origin`: seen along -Z, back to front, no
+/// back faces.
+QuadMesh facingQuads(const std::vector<LitPuff>& puffs, const glm::vec3& origin,
+                     const image::SpriteAtlas& atlas);
+
+/// Up to three crossed quads a puff, in the planes of its own axes, with both faces; a flat puff has just the
+/// level one, as upright slivers would be seen as needles from above. The faces are ordered so that from
+/// every side the near ones come last, given that back faces are not drawn; upright ones come before level
+/// ones.
+QuadMesh crossedQuads(const std::vector<LitPuff>& puffs, const glm::vec3& origin,
+                      const image::SpriteAtlas& atlas);
+
+/// One puff with the extent, mean place, colour and extinction area of many; its axes are those of the frame.
+LitPuff merged(const std::vector<LitPuff>& puffs);
+
+}  // namespace cloudgen::writer

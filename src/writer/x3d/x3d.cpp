@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "writer/x3d/x3d.hpp"
+
+#include "writer/copy_textures.hpp"
+#include "writer/x3d/clouds.hpp"
+#include "writer/x3d/environment.hpp"
+
+namespace cloudgen::writer {
+namespace {
+
+void writeScene(const scene::Scene& scene, const Destination& destination, Encoding encoding,
+                const char* file) {
+  const auto atlases = copyTextures(scene, destination.folder);
+  const Stage stage = stageOf(scene);
+  const auto nodes = nodeWriter(encoding, destination.folder / file);
+  QuadShapes shapes(*nodes, atlases);
+  const HeadEntries head = headOf(scene, stage);
+
+  nodes->start(head);
+  writeEnvironment(*nodes, scene, stage, head);
+  writeClouds(*nodes, shapes, scene, stage, destination.progress);
+  nodes->finish();
+}
+
+}  // namespace
+
+void writeX3d(const scene::Scene& scene, const Destination& destination) {
+  writeScene(scene, destination, Encoding::Xml, "scene.x3d");
+}
+
+void writeClassicVrml(const scene::Scene& scene, const Destination& destination) {
+  writeScene(scene, destination, Encoding::Classic, "scene.x3dv");
+}
+
+void writeVrml97(const scene::Scene& scene, const Destination& destination) {
+  writeScene(scene, destination, Encoding::Vrml97, "scene.wrl");
+}
+
+}  // namespace cloudgen::writer

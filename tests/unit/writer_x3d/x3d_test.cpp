@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "writer/x3d/x3d.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <regex>
+#include <set>
+
+#include "base/data_dir.hpp"
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/text.hpp"
+#include "support/small_scene.hpp"
+
+namespace cloudgen::writer {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Writes into a folder of its own, with a set of textures of its own (the bytes of a texture do not matter
+/// here).
+class X3d : public testing::Test {
+ protected:
+  void SetUp() override {
+    root_ = fs::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name();
+    fs::remove_all(root_);
+    for (const char* folder : {"data/textures", "data/templates", "data/schemas", "out"})
+      fs::create_directories(root_ / folder);
+    std::string atlases;
+    for (const base::Genus genus : base::allGenera()) {
+      const std::string name(base::name(genus));
+      base::writeFile(root_ / "data/textures" / (name + ".png"), "texture of " + name);
+      atlases += (atlases.empty() ? "" : ",") + std::string(R"({"genus":")") + name + R"(","file":")" + name +
+                 R"(.png","columns":4,"rows":4,"tile_pixels":128})";
+    }
+    base::writeFile(root_ / "data/textures/manifest.json", "{\"atlases\":[" + atlases + "]}");
+    setenv("CLOUDGEN_DATA", (root_ / "data").c_str(), 1);
+  }
+  void TearDown() override {
+    unsetenv("CLOUDGEN_DATA");
+    fs::remove_all(root_);
+  }
+
+  std::string written(void (*write)(const scene::Scene&, const Destination&), const scene::Scene& scene,
+                      const char* file) {
+    write(scene, {out(), {}});
+    return base::readFile(out() / file);
+  }
+  fs::path out() const { return root_ / "out"; }
+
+  fs::path root_;
+};
+
+/// What is left of VRML without its quoted strings and comments.
+std::string withoutStringsAndComments(const std::string& vrml) {
+  std::string rest;
+  for (std::size_t i = 0; i < vrml.size(); ++i) {
+    if (vrml[i] == '"') {
+      while (vrml[++i] != '"') i += vrml[i] == '\\' ? 1 : 0;
+    } else if (vrml[i] == '#') {
+      i = vrml.find('\n', i);
+    } else {
+      rest += vrml[i];
+    }
+  }
+  return rest;
+}
+
+struct Output {
+  void (*write)(const scene::Scene&, const Destination&);
+  const char *file, *header;
+};
+const Output kOutputs[] = {{writeX3d, "scene.x3d", "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<X3D "},
+                           {writeClassicVrml, "scene.x3dv", "#X3D V4.0 utf8\nPROFILE Immersive\n"},
+                           {writeVrml97, "scene.wrl", "#VRML V2.0 utf8\n"}};
+
+/// Every text that the pattern's first group matches, in order.
+std::vector<std::string> matches(const std::string& text, const char* pattern) {
+  std::vector<std::string> found;
+  const std::regex expression(pattern);
+  for (auto it = std::sregex_iterator(text.begin(), text.end(), expression); it != std::sregex_iterator();
+       ++it)
+    found.push_back((*it)[1]);
+  return found;
+}
+
+/// The values of an attribute of all elements of a type, in order (by hand: std::regex recurses on long
+/// ones).
+std::vector<std::string> attributes(const std::string& text, const std::string& element,
+                                    const std::string& attribute) {
+  std::vector<std::string> values;
+  for (std::size_t at = text.find("<" + element + " "); at != std::string::npos;
+       at = text.find("<" + element + " ", at + 1)) {
+    const std::string tag = text.substr(at, text.find('>', at) - at);
+    const std::size_t name = tag.find(" " + attribute + "=");
+    if (name == std::string::npos) continue;
+    const std::size_t start = name + attribute.size() + 3;
+    values.push_back(tag.substr(start, tag.find(tag[start - 1], start) - start));
+  }
+  return values;
+}
+
+std::vector<double> numbersIn(std::string text) {
+  std::replace(text.begin(), text.end(), ',', ' ');
+  std::istringstream stream(text);
+  return {std::istream_iterator<double>(stream), {}};
+}
+
+TEST_F(X3d, IsValidByTheOfficialSchema) {
+  const fs::path schema = fs::path(CLOUDGEN_SHARED_DIR) / "schemas/x3d-4.0.xsd";
+  if (!fs::exists(schema)) GTEST_SKIP() << "the official X3D schema is not there";
+  if (std::system("xmllint --version 2>/dev/null") != 0) GTEST_SKIP() << "xmllint is not installed";
+  written(writeX3d, test::smallScene(), "scene.x3d");
+  const std::string command = "xmllint --nonet --noout --schema '" + schema.string() + "' '" +
+                              (out() / "scene.x3d").string() + "' 2>&1";
+  EXPECT_EQ(std::system(command.c_str()), 0);
+}
+
+TEST_F(X3d, EveryUseHasAnEarlierDefAndEveryDefIsUnique) {
+  const std::string text = written(writeX3d, test::smallScene(), "scene.x3d");
+  std::set<std::string> defined;
+  const std::regex names(R"re((DEF|USE)="([^"]*)")re");
+  int uses = 0;
+  for (auto it = std::sregex_iterator(text.begin(), text.end(), names); it != std::sregex_iterator(); ++it) {
+    if ((*it)[1] == "DEF") {
+      EXPECT_TRUE(defined.insert((*it)[2]).second) << (*it)[2];
+      continue;
+    }
+    ++uses;
+    EXPECT_TRUE(defined.count((*it)[2])) << (*it)[2];
+  }
+  EXPECT_GE(uses, 16);
+}
+
+TEST_F(X3d, CloudsStandWhereTheSceneHasThem) {
+  const scene::Scene scene = test::smallScene();
+  const std::string text = written(writeX3d, scene, "scene.x3d");
+  // Only the Transform of a cloud has a scale.
+  std::multiset<std::string> written_, wanted;
+  for (const std::string& place : matches(text, R"re(<Transform scale="[^"]*" translation="([^"]*)")re"))
+    written_.insert(place);
+  for (const scene::Instance& instance : scene.instances) {
+    std::string place;
+    for (int i = 0; i < 3; ++i) {
+      if (i > 0) place += ' ';
+      base::appendFixed(place, instance.position[i], 1);
+    }
+    wanted.insert(place);
+  }
+  EXPECT_EQ(written_, wanted);
+  const auto ids = matches(text, R"re(name="id genus rule" value='"([0-9]+)")re");
+  EXPECT_EQ(std::set<std::string>(ids.begin(), ids.end()).size(), scene.instances.size());
+}
+
+TEST_F(X3d, IndicesAreInRangeAndAttributesBounded) {
+  // 5 sheets of 3000 round puffs: far more cards than one Shape holds.
+  const auto scene =
+      test::sceneOf({test::sheet("Sc_1", base::Genus::Stratocumulus, 9000, 400, 3000, 1, 1, 4)}, 5);
+  const std::string text = written(writeX3d, scene, "scene.x3d");
+  const auto indices = attributes(text, "IndexedTriangleSet", "index");
+  const auto colors = attributes(text, "ColorRGBA", "color");
+  const auto boxes = attributes(text, "TextureCoordinate", "point");
+  ASSERT_EQ(indices.size(), colors.size());
+  ASSERT_EQ(indices.size(), boxes.size());
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    const auto index = numbersIn(indices[i]), color = numbersIn(colors[i]), box = numbersIn(boxes[i]);
+    const double points = static_cast<double>(color.size() / 4);
+    EXPECT_LT(points, 100000);
+    EXPECT_LT(index.size(), 100000u);
+    EXPECT_EQ(box.size() / 2, color.size() / 4);
+    EXPECT_EQ(index.size() % 3, 0u);
+    EXPECT_LT(*std::max_element(index.begin(), index.end()), points);
+    EXPECT_GE(*std::min_element(index.begin(), index.end()), 0);
+    for (const auto& values : {color, box})
+      for (const double value : values) EXPECT_TRUE(value >= 0 && value <= 1) << value;
+  }
+}
+
+TEST_F(X3d, LevelsOfDetailHaveOneRangeLessThanLevelsAscending) {
+  const std::string text = written(writeX3d, test::smallScene(), "scene.x3d");
+  const auto ranges = attributes(text, "LOD", "range");
+  EXPECT_GE(ranges.size(), 5u);
+  for (const std::string& range : ranges) {
+    const auto values = numbersIn(range);
+    ASSERT_EQ(values.size(), 1u);
+    EXPECT_GT(values[0], 0);
+  }
+}
+
+TEST_F(X3d, NumbersArePlain) {
+  for (const auto& [write, file, header] : kOutputs) {
+    const std::string text = written(write, test::smallScene(), file);
+    EXPECT_TRUE(matches(text, R"(([^\w](?:nan|inf)[^\w]))").empty()) << file;
+    EXPECT_TRUE(matches(text, R"((\d[eE][-+]?\d))").empty()) << file;
+    EXPECT_EQ(text.find("-0 "), std::string::npos) << file;
+  }
+}
+
+TEST_F(X3d, SameBytesTwice) {
+  const scene::Scene scene = test::smallScene();
+  for (const auto& [write, file, header] : kOutputs)
+    EXPECT_EQ(written(write, scene, file), written(write, scene, file));
+}
+
+TEST_F(X3d, TexturesOfTheGeneraAreCopiedAndNoOthers) {
+  const std::string text = written(writeX3d, test::smallScene(), "scene.x3d");
+  std::set<std::string> files;
+  for (const auto& entry : fs::directory_iterator(out() / "textures"))
+    files.insert(entry.path().filename().string());
+  EXPECT_EQ(files, (std::set<std::string>{"cirrus.png", "cumulus.png"}));
+  EXPECT_EQ(base::readFile(out() / "textures/cirrus.png"), "texture of cirrus");
+  for (const std::string& url : matches(text, R"re(url='"([^"]*)")re"))
+    EXPECT_TRUE(fs::exists(out() / url)) << url;
+}
+
+TEST_F(X3d, ClassicAndVrml97HaveTheirHeadersAndBalancedBrackets) {
+  for (const auto& [write, file, header] : kOutputs) {
+    const std::string all = written(write, test::smallScene(), file);
+    EXPECT_TRUE(all.starts_with(header)) << file;
+    const std::string text = withoutStringsAndComments(all);
+    for (const auto& [open, close] : {std::pair{'{', '}'}, {'[', ']'}})
+      EXPECT_EQ(std::count(text.begin(), text.end(), open), std::count(text.begin(), text.end(), close))
+          << file;
+  }
+}
+
+TEST_F(X3d, Vrml97KnowsOnlyNodesOfItsTime) {
+  const std::string text = written(writeVrml97, test::smallScene(), "scene.wrl");
+  for (const char* later : {"IndexedTriangleSet", "ColorRGBA", "Metadata", "centerOfRotation", "LOD {"})
+    EXPECT_EQ(text.find(later), std::string::npos) << later;
+  EXPECT_NE(text.find("transparency"), std::string::npos);  // the thin cirrus
+  EXPECT_NE(text.find("\"genus Ci\""), std::string::npos);
+}
+
+TEST_F(X3d, ASceneWithoutCloudsIsWritten) {
+  scene::Scene scene = test::smallScene();
+  scene.instances.clear();
+  scene.clouds.clear();
+  const std::string text = written(writeX3d, scene, "scene.x3d");
+  EXPECT_NE(text.find("Ground"), std::string::npos);
+  EXPECT_TRUE(matches(text, R"((\bnan\b|\binf\b))").empty());
+}
+
+TEST_F(X3d, AFileThatCannotBeMadeIsAnOutputError) {
+  fs::create_directories(out() / "taken/scene.x3d");
+  EXPECT_THROW(writeX3d(test::smallScene(), {out() / "taken", {}}), base::OutputError);
+}
+
+}  // namespace
+}  // namespace cloudgen::writer
