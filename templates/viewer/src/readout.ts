@@ -103,11 +103,14 @@ export class Readout {
     const taken: [number, number][] = [];
     this.labels.forEach((label, index) => {
       const text = this.labelElements[index];
-      point.set(label.x, this.groundMeters, label.z).project(this.camera);
+      point.set(label.x, this.groundMeters, label.z);
+      // From near the ground the far borders lie on the horizon, where labels would only crowd.
+      const grazing = (this.camera.position.y - this.groundMeters) / point.distanceTo(this.camera.position);
+      point.project(this.camera);
       const x = ((point.x + 1) / 2) * this.surface.clientWidth;
       const y = ((1 - point.y) / 2) * this.surface.clientHeight;
       const shown =
-        point.z < 1 && Math.abs(point.x) < 0.98 && Math.abs(point.y) < 0.98 && taken.every(([a, b]) => Math.abs(a - x) > 44 || Math.abs(b - y) > 18);
+        grazing > 0.01 && point.z < 1 && Math.abs(point.x) < 0.98 && Math.abs(point.y) < 0.98 && taken.every(([a, b]) => Math.abs(a - x) > 44 || Math.abs(b - y) > 18);
       text.hidden = !shown;
       if (!shown) return;
       taken.push([x, y]);

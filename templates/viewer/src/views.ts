@@ -46,7 +46,7 @@ export function viewNamed(name: ViewName, data: SceneData, frame: Frame, clouds:
     return {position, target: position.clone().addScaledVector(heading, back).setY(ground + 0.25 * back)};
   }
   if (name === 'near') {
-    const distance = Math.max(NEAR_METERS, 2.2 * (clouds.densestTop - ground), 25 * clouds.densestDeviation);
+    const distance = Math.max(NEAR_METERS, 2.2 * (clouds.densestTop - ground), Math.min(25 * clouds.densestDeviation, 250_000));
     const target = clouds.densest.clone().setY(ground + 0.5 * (clouds.densestTop - ground));
     return {target, position: from(target, looking, 0.2 + 0.2 * ramp(40_000, 400_000, distance), distance)};
   }
