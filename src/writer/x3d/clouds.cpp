@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t kMostClusters = 24;  ///< parts of a cloud seen from near
 constexpr float kNearSizes = 6;      ///< a cloud is drawn in full up to this many times its own size away
 constexpr double kLiveClouds = 120;  ///< clouds that are drawn one by one around the viewer, about
-constexpr double kFullClouds = 16;   ///< clouds that are drawn in full around the viewer, about
+constexpr double kFullClouds = 30;   ///< clouds that are drawn in full around the viewer, about
 constexpr std::size_t kFarPuffs = 24000;  ///< puffs in the far shapes of all tiles together, about
 
 /// view3dscene 4.2 refuses the field `level` of VRML97's LOD, and the standard any other name for it: VRML97
@@ -119,7 +119,7 @@ class CloudWalk {
 
   /// In full from near, but not so far that more than about kFullClouds are; in metres of the archetype.
   float cloudRange(float size) const {
-    return std::clamp(reachOf(kFullClouds), 1.2f * size, kNearSizes * size);
+    return std::clamp(reachOf(kFullClouds), 2.5f * size, kNearSizes * size);
   }
 
   void cloud(std::uint32_t i) {
