@@ -16,7 +16,8 @@ namespace {
 
 constexpr std::size_t kMostClusters = 24;  ///< parts of a cloud seen from near
 constexpr float kNearSizes = 6;      ///< a cloud is drawn in full up to this many times its own size away
-constexpr double kLiveClouds = 150;  ///< clouds that are drawn one by one around the viewer, about
+constexpr double kLiveClouds = 120;  ///< clouds that are drawn one by one around the viewer, about
+constexpr double kFullClouds = 30;   ///< clouds that are drawn in full around the viewer, about
 constexpr std::size_t kFarPuffs = 24000;  ///< puffs in the far shapes of all tiles together, about
 
 /// view3dscene 4.2 refuses the field `level` of VRML97's LOD, and the standard any other name for it: VRML97
@@ -102,16 +103,23 @@ class CloudWalk {
       detail_[order[i]] = i < kVrml97Simple ? Detail::Simple : Detail::Cards;
   }
 
-  /// Distance within which about kLiveClouds clouds stand; a viewer in the middle of a tile always sees its
-  /// clouds.
-  float tileRange() const {
-    const double count = static_cast<double>(std::min(scene_.instances.size(), kMostCloudNodes));
+  /// Distance within which about so many clouds stand, were they spread evenly.
+  float reachOf(double clouds) const {
+    const double count = static_cast<double>(std::clamp<size_t>(scene_.instances.size(), 1, kMostCloudNodes));
     const double area =
         static_cast<double>(stage_.upper.x - stage_.lower.x) * (stage_.upper.z - stage_.lower.z);
-    const double reach = std::sqrt(kLiveClouds * area / (std::numbers::pi * std::max(count, 1.0)));
+    return static_cast<float>(std::sqrt(clouds * area / (std::numbers::pi * count)));
+  }
+
+  /// A viewer in the middle of a tile always sees its clouds.
+  float tileRange() const {
     const float side = tileSide(stage_);
-    return std::clamp(static_cast<float>(reach) + 0.5f * side, 0.9f * side,
-                      std::max(4 * stage_.extent, side));
+    return std::clamp(reachOf(kLiveClouds) + 0.5f * side, 0.9f * side, std::max(4 * stage_.extent, side));
+  }
+
+  /// In full from near, but not so far that more than about kFullClouds are; in metres of the archetype.
+  float cloudRange(float size) const {
+    return std::clamp(reachOf(kFullClouds), 2.5f * size, kNearSizes * size);
   }
 
   void cloud(std::uint32_t i) {
@@ -187,7 +195,7 @@ class CloudWalk {
     const glm::vec3 size = box.upper - box.lower;
     nodes_.open("LOD", "children", nameOf(lit));
     nodes_.vector("center", glm::vec3(0, 0.5f * (box.lower.y + box.upper.y), 0), 1);
-    nodes_.numbers("range", std::array{kNearSizes * std::max({size.x, size.y, size.z})}, 1, 0);
+    nodes_.numbers("range", std::array{cloudRange(std::max({size.x, size.y, size.z}))}, 1, 0);
     level(lit, Detail::Full, {});
     level(lit, Detail::Simple, {});
     nodes_.close();

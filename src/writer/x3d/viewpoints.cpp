@@ -37,7 +37,7 @@ std::vector<View> viewsOf(const scene::Scene& scene, const Stage& stage) {
   const float heightAbove = std::max(stage.focusBase - scene.groundHeightMeters, 0.0f);
   // Near enough that a cloud of mean width is some hundred pixels wide, far enough to have a dozen in view.
   const float reach =
-      std::clamp(9 * stage.cloudWidth, 3 * depth, std::max(1.2f * stage.extent, 3.1f * depth));
+      std::clamp(6 * stage.cloudWidth, 3 * depth, std::max(1.2f * stage.extent, 3.1f * depth));
   const glm::vec3 middle = 0.5f * (stage.lower + stage.upper);
 
   std::vector<View> views;
