@@ -29,13 +29,13 @@ Texture textureOf(base::Genus genus) {
     case Genus::Cirrus: return {3.2, 1.1, 0.0, 5.0, 0.05};
     case Genus::Cirrocumulus: return {2.6, 0.55, 0.6, 1.0, 0.0};
     case Genus::Cirrostratus: return {1.4, 0.35, 0.0, 2.5, 0.03};
-    case Genus::Altocumulus: return {2.4, 0.6, 0.8, 1.2, 0.25};
-    case Genus::Altostratus: return {1.6, 0.4, 0.0, 2.0, 0.15};
-    case Genus::Nimbostratus: return {1.8, 0.5, 0.2, 1.4, 0.25};
-    case Genus::Stratocumulus: return {2.2, 0.7, 0.8, 1.2, 0.35};
-    case Genus::Stratus: return {1.6, 0.55, 0.1, 1.6, 0.15};
-    case Genus::Cumulus: return {2.4, 0.85, 1.0, 1.0, 0.45};
-    case Genus::Cumulonimbus: return {2.6, 0.8, 1.0, 1.0, 0.45};
+    case Genus::Altocumulus: return {2.4, 0.6, 0.8, 1.2, 0.12};
+    case Genus::Altostratus: return {1.6, 0.4, 0.0, 2.0, 0.08};
+    case Genus::Nimbostratus: return {1.8, 0.5, 0.2, 1.4, 0.12};
+    case Genus::Stratocumulus: return {2.2, 0.7, 0.8, 1.2, 0.18};
+    case Genus::Stratus: return {1.6, 0.55, 0.1, 1.6, 0.08};
+    case Genus::Cumulus: return {2.4, 0.85, 1.0, 1.0, 0.22};
+    case Genus::Cumulonimbus: return {2.6, 0.8, 1.0, 1.0, 0.22};
     case Genus::Fog: break;
   }
   return {1.3, 0.4, 0.0, 1.6, 0.05};
