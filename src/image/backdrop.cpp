@@ -12,7 +12,7 @@
 namespace cloudgen::image {
 namespace {
 
-constexpr double kHazeHeightMeters = 2200, kHazeLengthMeters = 42000;
+constexpr double kHazeHeightMeters = 2200, kHazeLengthMeters = 60000;
 
 }  // namespace
 

@@ -21,7 +21,12 @@ float scatteredShare(float opticalDepth) {
 
 namespace {
 
-constexpr float kSun = 0.84f, kSky = 0.40f;
+constexpr float kSun = 0.84f, kSky = 0.40f, kSkin = 1.2f;
+
+/// Standard deviation of a puff along a direction of the cloud.
+float reachAlong(const shape::Puff& puff, const glm::vec3& direction) {
+  return glm::length(puff.sigma * (glm::conjugate(puff.rotation) * direction));
+}
 
 /// As a photographer exposes: a cloud face square to the sun comes out just white, whatever the hour.
 float exposureFor(const Lighting& lighting) {
@@ -44,10 +49,11 @@ std::vector<PuffLight> shadePuffs(std::span<const shape::Puff> puffs, const Exti
   std::vector<PuffLight> lights(puffs.size());
   for (size_t i = 0; i < puffs.size(); ++i) {
     const shape::Puff& puff = puffs[i];
-    const float skip = std::max(0.8f * std::min({puff.sigma.x, puff.sigma.y, puff.sigma.z}), 0.5f * grid.cellMeters());
-    const float toSun = grid.opticalDepth(puff.center, lighting.sunDirection, skip);
-    const float up = grid.opticalDepth(puff.center, {0, 1, 0}, skip);
-    const float down = grid.opticalDepth(puff.center, {0, -1, 0}, skip);
+    // What is seen of a puff is its skin: its own body, out to a little over a deviation, does not shade it.
+    const auto depthTowards = [&](const glm::vec3& direction) {
+      return grid.opticalDepth(puff.center, direction, std::max(kSkin * reachAlong(puff, direction), 0.5f * grid.cellMeters()));
+    };
+    const float toSun = depthTowards(lighting.sunDirection), up = depthTowards({0, 1, 0}), down = depthTowards({0, -1, 0});
     // Relief: how squarely the surface here faces the sun; inside the cloud, where the gradient is weak, none.
     const glm::vec3 gradient = grid.gradient(puff.center);
     const float strength = glm::length(gradient), here = grid.extinction(puff.center);
@@ -60,7 +66,7 @@ std::vector<PuffLight> shadePuffs(std::span<const shape::Puff> puffs, const Exti
     // Similarity (van de Hulst 1980): strongly forward scattering acts as isotropic scattering at (1 - g) tau, g = 0.85.
     const float reduced = 0.15f;
     const float sun = glm::mix(scatteredShare(0.3f * reduced * toSun), scatteredShare(reduced * toSun), shading);
-    const float sky = 0.24f + 0.76f * std::exp(-0.035f * shading * up);
+    const float sky = 0.20f + 0.80f * std::exp(-0.07f * shading * up);
     const float ground = std::exp(-0.10f * down);
     const glm::vec3 radiance = kSun * lighting.sunColor * (sun * relief) + kSky * lighting.sky.ambient * (sky * open) +
                                0.6f * lighting.sky.bounce * ground;

@@ -24,7 +24,7 @@ double shareInside(const field::Grid& grid, std::uint32_t cell, const base::GeoB
 int fewestPuffs(const shape::Recipe& recipe) {
   switch (recipe.form) {
     case shape::Form::Heap: return 5 * recipe.billboards;
-    case shape::Form::Tower: return 3 * recipe.sections * recipe.billboards;
+    case shape::Form::Tower: return 8 * recipe.sections * recipe.billboards;
     case shape::Form::Cells: return 110;
     case shape::Form::Veil: return 70;
     case shape::Form::Filaments: break;

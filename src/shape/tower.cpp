@@ -66,7 +66,7 @@ RawShape shapeTower(const Recipe& recipe, const ShapeRequest& request) {
   const auto points = place(recipe.sectionPlacement, sections, places);
   for (int i = 0; i < sections; ++i) {
     const double share = (i + 0.5) / sections;
-    const double y = 0.03 * depth + share * 0.83 * depth;
+    const double y = 0.03 * depth + share * 0.76 * depth;
     const double column = columnRadius(share) * width;
     // A filled core, and rising turrets on its surface that show.
     const auto section = static_cast<std::uint16_t>(i * 8 / sections);
@@ -79,7 +79,7 @@ RawShape shapeTower(const Recipe& recipe, const ShapeRequest& request) {
     }
   }
   // An overshooting dome above the anvil, and flanking towers on the upwind side.
-  lobes.push_back({{leaning(0.90 * depth), 0.90 * depth, 0}, 0.05 * width, 7, 0});
+  lobes.push_back({{leaning(0.89 * depth), 0.89 * depth, 0}, 0.045 * width, 7, 0});
   for (int i = 0; i < sections / 3; ++i) {
     const double out = places.uniform(0.18, 0.34) * width, side = places.uniform(-0.2, 0.2) * width;
     const double top = depth * std::max(0.08, 0.42 - 0.95 * out / width) * places.uniform(0.75, 1.1);
