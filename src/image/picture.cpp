@@ -18,7 +18,11 @@ void writePng(const std::filesystem::path& file, const ByteImage& image) {
   auto writer = OIIO::ImageOutput::create("png");
   if (!writer) fail("OpenImageIO has no PNG writer");
   OIIO::ImageSpec spec(image.width, image.height, image.channels, OIIO::TypeDesc::UINT8);
-  if (image.channels == 4) spec.attribute("oiio:UnassociatedAlpha", 1);
+  if (image.channels == 2) {
+    spec.channelnames = {"Y", "A"};
+    spec.alpha_channel = 1;
+  }
+  if (image.channels != 3) spec.attribute("oiio:UnassociatedAlpha", 1);
   spec.attribute("png:compressionLevel", 9);
   if (!writer->open(beside.string(), spec)) fail(writer->geterror());
   const bool written = writer->write_image(OIIO::TypeDesc::UINT8, image.bytes.data());

@@ -17,7 +17,7 @@ struct Picture {
   const glm::vec3& at(int x, int y) const { return pixels[static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x)]; }
 };
 
-/// Bytes of an image, row by row from the top: 3 or 4 channels of 8 bits.
+/// Bytes of an image, row by row from the top: 2 (grey, alpha), 3 or 4 channels of 8 bits.
 struct ByteImage {
   int width = 0, height = 0, channels = 4;
   std::vector<unsigned char> bytes;

@@ -29,13 +29,13 @@ Texture textureOf(base::Genus genus) {
     case Genus::Cirrus: return {3.2, 1.1, 0.0, 5.0, 0.05};
     case Genus::Cirrocumulus: return {2.6, 0.55, 0.6, 1.0, 0.0};
     case Genus::Cirrostratus: return {1.4, 0.35, 0.0, 2.5, 0.03};
-    case Genus::Altocumulus: return {2.4, 0.6, 0.8, 1.2, 0.25};
-    case Genus::Altostratus: return {1.6, 0.4, 0.0, 2.0, 0.15};
-    case Genus::Nimbostratus: return {1.8, 0.5, 0.2, 1.4, 0.25};
-    case Genus::Stratocumulus: return {2.2, 0.7, 0.8, 1.2, 0.35};
-    case Genus::Stratus: return {1.6, 0.55, 0.1, 1.6, 0.15};
-    case Genus::Cumulus: return {2.4, 0.85, 1.0, 1.0, 0.45};
-    case Genus::Cumulonimbus: return {2.6, 0.8, 1.0, 1.0, 0.45};
+    case Genus::Altocumulus: return {2.4, 0.6, 0.8, 1.2, 0.12};
+    case Genus::Altostratus: return {1.6, 0.4, 0.0, 2.0, 0.08};
+    case Genus::Nimbostratus: return {1.8, 0.5, 0.2, 1.4, 0.12};
+    case Genus::Stratocumulus: return {2.2, 0.7, 0.8, 1.2, 0.18};
+    case Genus::Stratus: return {1.6, 0.55, 0.1, 1.6, 0.08};
+    case Genus::Cumulus: return {2.4, 0.85, 1.0, 1.0, 0.22};
+    case Genus::Cumulonimbus: return {2.6, 0.8, 1.0, 1.0, 0.22};
     case Genus::Fog: break;
   }
   return {1.3, 0.4, 0.0, 1.6, 0.05};
@@ -113,10 +113,9 @@ void bakeTile(ByteImage& image, base::Genus genus, int tile) {
       const double u = (x + 0.5) / kSpriteTilePixels, v = 1.0 - (y + 0.5) / kSpriteTilePixels;
       const Texel texel = sampled(texels, u, v);
       const bool border = x == 0 || y == 0 || x == kSpriteTilePixels - 1 || y == kSpriteTilePixels - 1;
-      const glm::vec3 color = light::srgbFromLinear(glm::vec3(texel.light));
-      unsigned char* pixel = image.bytes.data() + 4 * (static_cast<size_t>(top + y) * image.width + left + x);
-      for (int c = 0; c < 3; ++c) pixel[c] = static_cast<unsigned char>(std::lround(255 * color[c]));
-      pixel[3] = border ? 0 : static_cast<unsigned char>(std::lround(255 * std::min(1.0f, texel.alpha / peak)));
+      unsigned char* pixel = image.bytes.data() + 2 * (static_cast<size_t>(top + y) * image.width + left + x);
+      pixel[0] = static_cast<unsigned char>(std::lround(255 * light::srgbFromLinear(glm::vec3(texel.light)).x));
+      pixel[1] = border ? 0 : static_cast<unsigned char>(std::lround(255 * std::min(1.0f, texel.alpha / peak)));
     }
 }
 
@@ -124,7 +123,7 @@ void bakeTile(ByteImage& image, base::Genus genus, int tile) {
 
 ByteImage bakeSprites(base::Genus genus) {
   const int side = kSpriteTilePixels * kSpriteTilesAcross;
-  ByteImage image{side, side, 4, std::vector<unsigned char>(static_cast<size_t>(side) * side * 4)};
+  ByteImage image{side, side, 2, std::vector<unsigned char>(static_cast<size_t>(side) * side * 2)};
   base::parallelFor(kSpriteTilesAcross * kSpriteTilesAcross, [&](size_t tile) { bakeTile(image, genus, static_cast<int>(tile)); });
   return image;
 }

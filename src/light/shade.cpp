@@ -29,6 +29,14 @@ float exposureFor(const Lighting& lighting) {
   return 1.08f / glm::dot(brightest, glm::vec3(0.2126f, 0.7152f, 0.0722f));
 }
 
+/// Highlights above 0.62 are rolled off towards 1, so that relief on the sunlit side stays visible.
+glm::vec3 shoulder(glm::vec3 color) {
+  constexpr float kKnee = 0.62f, kRoom = 1.0f - kKnee;
+  for (int c = 0; c < 3; ++c)
+    if (color[c] > kKnee) color[c] = kKnee + kRoom * (1.0f - std::exp(-(color[c] - kKnee) / kRoom));
+  return color;
+}
+
 }  // namespace
 
 std::vector<PuffLight> shadePuffs(std::span<const shape::Puff> puffs, const ExtinctionGrid& grid, const Lighting& lighting, float shading) {
@@ -46,17 +54,17 @@ std::vector<PuffLight> shadePuffs(std::span<const shape::Puff> puffs, const Exti
     const float surface = strength / (strength + 0.8f * here + 1e-9f);
     const glm::vec3 normal = strength > 0 ? -gradient / strength : glm::vec3(0, 1, 0);
     const float facing = 0.5f + 0.5f * glm::dot(normal, lighting.sunDirection);
-    const float relief = glm::mix(1.0f, 0.40f + 0.70f * facing, shading * std::min(1.0f, 1.6f * surface));
+    const float relief = glm::mix(1.0f, 0.26f + 0.92f * facing, shading * std::min(1.0f, 1.6f * surface));
     const float open = glm::mix(1.0f, 0.72f + 0.38f * (0.5f + 0.5f * normal.y), shading * std::min(1.0f, 1.6f * surface));
 
     // Similarity (van de Hulst 1980): strongly forward scattering acts as isotropic scattering at (1 - g) tau, g = 0.85.
     const float reduced = 0.15f;
     const float sun = glm::mix(scatteredShare(0.3f * reduced * toSun), scatteredShare(reduced * toSun), shading);
-    const float sky = 0.30f + 0.70f * std::exp(-0.05f * shading * up);
+    const float sky = 0.24f + 0.76f * std::exp(-0.035f * shading * up);
     const float ground = std::exp(-0.10f * down);
     const glm::vec3 radiance = kSun * lighting.sunColor * (sun * relief) + kSky * lighting.sky.ambient * (sky * open) +
                                0.6f * lighting.sky.bounce * ground;
-    lights[i].color = exposure * radiance;
+    lights[i].color = shoulder(exposure * radiance);
     lights[i].forward = 0.24f * std::exp(-0.6f * toSun);
   }
   return lights;

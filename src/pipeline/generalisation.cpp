@@ -24,7 +24,7 @@ double shareInside(const field::Grid& grid, std::uint32_t cell, const base::GeoB
 int fewestPuffs(const shape::Recipe& recipe) {
   switch (recipe.form) {
     case shape::Form::Heap: return 5 * recipe.billboards;
-    case shape::Form::Tower: return recipe.sections * recipe.billboards;
+    case shape::Form::Tower: return 3 * recipe.sections * recipe.billboards;
     case shape::Form::Cells: return 110;
     case shape::Form::Veil: return 70;
     case shape::Form::Filaments: break;
@@ -35,7 +35,7 @@ int fewestPuffs(const shape::Recipe& recipe) {
 double naturalWidthMeters(const shape::Recipe& recipe, double depthMeters) {
   const auto within = [&](double width) { return std::clamp<double>(width, recipe.widthMeters.low, recipe.widthMeters.high); };
   switch (recipe.form) {
-    case shape::Form::Heap: return within(0.85 * depthMeters);
+    case shape::Form::Heap: return within(1.1 * depthMeters);
     case shape::Form::Tower: return within(1.9 * depthMeters);
     case shape::Form::Cells: return within(22.0 * depthMeters);
     case shape::Form::Veil: return within(25.0 * depthMeters);

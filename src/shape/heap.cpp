@@ -59,25 +59,26 @@ RawShape shapeHeap(const Recipe& recipe, const ShapeRequest& request) {
   const auto points = place(recipe.sectionPlacement, sections, places);
   for (int i = 0; i < sections; ++i) {
     const glm::dvec3 p = points[i];  // within a half ball of radius 1
-    const double reach = 0.34 * width;
-    const double x = p.x * reach + mainX * (1 - std::abs(p.x)), z = p.z * reach + mainZ * (1 - std::abs(p.z));
+    const double reach = 0.37 * width;
+    const double outward = i == 0 ? 0.15 : 1.0;
+    const double x = outward * p.x * reach + mainX * (1 - std::abs(p.x)), z = outward * p.z * reach + mainZ * (1 - std::abs(p.z));
     const double fromMain = std::hypot(x - mainX, z - mainZ) / (0.5 * width);
-    // A rising profile: the tower over the middle, shoulders about it, fractus at the rim.
-    const double profile = std::clamp(1.0 - 0.95 * std::pow(fromMain, 1.3), 0.12, 1.0) * places.uniform(0.7, 1.0);
+    // Turrets of uneven height, the tallest over the middle, low shoulders at the rim.
+    const double profile = std::clamp((1.0 - 0.85 * fromMain * fromMain) * places.uniform(0.42, 1.0), 0.16, 1.0);
     const double top = depth * (i == 0 ? 0.97 : profile);
-    const double radius = std::min(recipe.sectionRadius * width * places.uniform(0.72, 1.2) * (1.0 - 0.35 * fromMain), 0.52 * top);
-    int level = 0;
-    for (double y = 0.42 * radius; y <= std::max(top - radius, 0.42 * radius) + 1e-9; y += 0.72 * radius) {
-      const double share = y / depth;
-      const double shrink = radius * (1.0 - 0.38 * share) * places.uniform(0.85, 1.1);
-      const double wobble = 0.2 * radius;
-      lobes.push_back({{x + request.tilt * y + wobble * places.uniform(-1, 1), std::min(y, depth - shrink * 0.95),
+    const double radius = std::min(recipe.sectionRadius * width * (i == 0 ? 1.35 : places.uniform(0.65, 1.25)) * (1.0 - 0.3 * fromMain), 0.52 * top);
+    for (double y = 0.4 * radius; y <= std::max(top - radius, 0.4 * radius) + 1e-9; y += 0.62 * radius) {
+      // A turret narrows a little above its base and swells again in its head.
+      const double share = y / std::max(top, 1e-9);
+      const double swell = radius * (1.0 - 0.28 * std::sin(share * 3.14159265358979)) * places.uniform(0.85, 1.12);
+      const double wobble = 0.28 * radius;
+      lobes.push_back({{x + request.tilt * y + wobble * places.uniform(-1, 1), std::min(y, depth - swell * 0.95),
                         z + wobble * places.uniform(-1, 1)},
-                       shrink, static_cast<std::uint16_t>(i), level});
+                       swell, static_cast<std::uint16_t>(i), 0});
     }
   }
-  if (request.puffs >= 12 * static_cast<int>(lobes.size())) growLobes(lobes, 1, 9, 0.46, places);
-  if (request.puffs >= 40 * static_cast<int>(lobes.size())) growLobes(lobes, 2, 5, 0.45, places);
+  if (request.puffs >= 12 * static_cast<int>(lobes.size())) growLobes(lobes, 1, 12, 0.42, places);
+  if (request.puffs >= 14 * static_cast<int>(lobes.size())) growLobes(lobes, 2, 6, 0.45, places);
   for (Lobe& lobe : lobes) lobe.center.y = std::min(lobe.center.y, depth - 0.8 * lobe.radius);
   RawShape shape;
   fillLobes(shape.puffs, lobes, recipe, request.puffs, 0, fills);

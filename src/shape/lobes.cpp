@@ -58,10 +58,10 @@ void fillLobes(std::vector<Puff>& puffs, const std::vector<Lobe>& lobes, const R
       for (int attempt = 0; attempt < 6; ++attempt) {
         glm::dvec3 direction = stream.direction();
         if (recipe.billboardPlacement.system == CoordinateSystem::HalfSpherical) direction.y = std::abs(direction.y);
-        const double depth = surface ? stream.uniform(0.74, 1.0) : 0.8 * std::cbrt(stream.uniform());
+        const double depth = surface ? stream.uniform(0.8, 1.0) : 0.8 * std::cbrt(stream.uniform());
         // Billows in the surface: round heaps between sharp creases.
         const glm::dvec3 onSurface = lobe.center + direction * lobe.radius;
-        const double bulge = 0.86 + 0.5 * (base::billowNoise(onSurface * noiseScale * 2.4, 3, 17) - 0.62);
+        const double bulge = 0.88 + 0.75 * (base::billowNoise(onSurface * noiseScale * 2.1, 4, 17) - 0.70);
         position = lobe.center + direction * (lobe.radius * depth * bulge);
         if (!surface || !buried(position, lobes, lobe)) break;
       }
@@ -84,7 +84,8 @@ void fillLobes(std::vector<Puff>& puffs, const std::vector<Lobe>& lobes, const R
       Puff puff;
       puff.center = position;
       puff.sigma = glm::vec3(sigma, sigmaY, sigma);
-      puff.extinctionPerMeter = static_cast<float>(density);
+      // Every puff hides alike (the same optical depth through it), so that small ones at the surface keep it crisp.
+      puff.extinctionPerMeter = static_cast<float>(density / sigmaY);
       puff.section = lobe.section;
       puffs.push_back(puff);
     }

@@ -12,14 +12,14 @@ namespace {
 
 /// Radius of the updraught's column at a height share: broad foot, waist, spreading under the anvil.
 double columnRadius(double share) {
-  return 0.135 + 0.055 * std::pow(1.0 - share, 2.0) + 0.05 * base::smoothStep(0.6, 1.0, share);
+  return 0.125 + 0.035 * std::pow(1.0 - share, 2.0) + 0.045 * base::smoothStep(0.65, 1.0, share);
 }
 
 /// Fibres of ice that leave the top of the column on all sides, mostly downwind, thinning outwards.
 void addAnvil(std::vector<Puff>& puffs, const ShapeRequest& request, double trunkX, std::uint16_t section, int count,
               base::RandomStream& stream) {
   const double width = request.widthMeters, depth = request.depthMeters;
-  const double level = 0.86 * depth, thickness = 0.075 * depth;
+  const double level = 0.87 * depth, thickness = 0.12 * depth;
   const int perFibre = std::max(4, std::min(26, count / 60));
   for (int fibre = 0; fibre < count / perFibre; ++fibre) {
     // Headings crowd downwind (+x): the heading's density is 1 + 0.75 cos.
@@ -28,7 +28,7 @@ void addAnvil(std::vector<Puff>& puffs, const ShapeRequest& request, double trun
     while (stream.uniform() > (1.0 + 0.75 * std::cos(heading)) / 1.75);
     const double downwind = 0.5 + 0.5 * std::cos(heading);
     const double lobed = 1.0 + 0.35 * base::fractalNoise({2.2 * std::cos(heading), 2.2 * std::sin(heading), request.variant * 7.1}, 3, 61);
-    const double reach = width * (0.20 + 0.52 * downwind * downwind) * lobed * stream.uniform(0.55, 1.0);
+    const double reach = width * (0.27 + 0.42 * downwind * downwind) * lobed * stream.uniform(0.5, 1.0);
     const double start = 0.10 * width * std::sqrt(stream.uniform());
     const double lift = stream.uniform(-0.5, 0.5);
     const double bend = 0.5 * std::sin(heading);
@@ -44,7 +44,7 @@ void addAnvil(std::vector<Puff>& puffs, const ShapeRequest& request, double trun
       puff.sigma = glm::vec3(length, thickness * 0.24 * thin + 20, 0.012 * width + 0.018 * width * stream.uniform());
       puff.rotation = turnedAlong({std::cos(turned), 0.04, std::sin(turned)});
       const double streak = base::fractalNoise({heading * 9.0, along * 1.6, lift}, 3, 67);
-      puff.extinctionPerMeter = static_cast<float>((0.16 * thin * thin + 0.012) * std::clamp(0.8 + 1.6 * streak, 0.08, 1.8));
+      puff.extinctionPerMeter = static_cast<float>((0.5 * thin * thin + 0.04) * std::clamp(0.8 + 1.6 * streak, 0.08, 1.8) / puff.sigma.y);
       puff.section = section;
       puffs.push_back(puff);
     }
@@ -79,7 +79,7 @@ RawShape shapeTower(const Recipe& recipe, const ShapeRequest& request) {
     }
   }
   // An overshooting dome above the anvil, and flanking towers on the upwind side.
-  lobes.push_back({{leaning(0.92 * depth), 0.92 * depth, 0}, 0.075 * width, 7, 0});
+  lobes.push_back({{leaning(0.90 * depth), 0.90 * depth, 0}, 0.05 * width, 7, 0});
   for (int i = 0; i < sections / 3; ++i) {
     const double out = places.uniform(0.18, 0.34) * width, side = places.uniform(-0.2, 0.2) * width;
     const double top = depth * std::max(0.08, 0.42 - 0.95 * out / width) * places.uniform(0.75, 1.1);
@@ -87,13 +87,13 @@ RawShape shapeTower(const Recipe& recipe, const ShapeRequest& request) {
     for (double y = 0.35 * radius; y < top; y += 0.8 * radius)
       lobes.push_back({{trunkX - out + 0.1 * y, y, side}, radius * (1 - 0.35 * y / top), 8, 0});
   }
-  if (request.puffs >= 14 * static_cast<int>(lobes.size())) growLobes(lobes, 1, 9, 0.45, places);
-  if (request.puffs >= 40 * static_cast<int>(lobes.size())) growLobes(lobes, 2, 4, 0.45, places);
+  if (request.puffs >= 14 * static_cast<int>(lobes.size())) growLobes(lobes, 1, 11, 0.42, places);
+  if (request.puffs >= 40 * static_cast<int>(lobes.size())) growLobes(lobes, 2, 5, 0.45, places);
 
   RawShape shape;
-  fillLobes(shape.puffs, lobes, recipe, static_cast<int>(0.72 * request.puffs), 0, fills);
+  fillLobes(shape.puffs, lobes, recipe, static_cast<int>(0.70 * request.puffs), 0, fills);
   for (Puff& puff : shape.puffs) puff.extinctionPerMeter *= 0.8f + 0.4f * static_cast<float>(puff.center.y / depth);
-  addAnvil(shape.puffs, request, leaning(0.86 * depth), 9, std::max(24, static_cast<int>(0.24 * request.puffs)), fills);
+  addAnvil(shape.puffs, request, leaning(0.86 * depth), 9, std::max(24, static_cast<int>(0.26 * request.puffs)), fills);
   addPrecipitation(shape.precipitation, recipe, {trunkX + 0.02 * width, 0.02 * depth, 0}, 0.13 * width, 0.11 * depth,
                    std::max(6, static_cast<int>(0.04 * request.puffs)), fills);
   for (Puff& puff : shape.precipitation) puff.section = 10;
