@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How long the program takes and how much memory, one line of JSON a case; with ratios to another tool measured in the same run.
+// How long the program takes and how much memory, one line of JSON a case; with ratios to another tool
+// measured in the same run.
 //   cmake --build --preset release --target bench
 //   build/release/tests/bench/bench build/release/src/cli/cloudgen FORECAST.grib2
 // Needs a folder for temporary files and, for the comparison, xmllint.
@@ -25,7 +26,9 @@ struct Cost {
   bool succeeded = false;
 };
 
-double seconds(const timeval& time) { return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) * 1e-6; }
+double seconds(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) * 1e-6;
+}
 
 /// Runs a program without its output and says what it took.
 Cost costOf(const std::vector<std::string>& command) {
@@ -45,7 +48,8 @@ Cost costOf(const std::vector<std::string>& command) {
   rusage usage{};
   ::wait4(process, &status, 0, &usage);
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
-  return {wall.count(), seconds(usage.ru_utime) + seconds(usage.ru_stime), static_cast<double>(usage.ru_maxrss) / 1024, status == 0};
+  return {wall.count(), seconds(usage.ru_utime) + seconds(usage.ru_stime),
+          static_cast<double>(usage.ru_maxrss) / 1024, status == 0};
 }
 
 /// The quickest of some runs: what disturbs a run only makes it slower.
@@ -77,15 +81,25 @@ int main(int count, char** arguments) {
   fs::create_directory(folder);
   const std::string scene = folder / "scene", x3d = folder / "scene" / "scene.x3d";
 
-  for (const auto& [name, box] : {std::pair{"theatre", "-122.6,36.2,-121.2,37.2"}, std::pair{"regional", "-100,25,-60,50"}}) {
+  for (const auto& [name, box] :
+       {std::pair{"theatre", "-122.6,36.2,-121.2,37.2"}, std::pair{"regional", "-100,25,-60,50"}}) {
     const Cost cost = quickest({program, "build", forecast, "--bbox", box, "-o", scene, "--overwrite"}, 2);
     tell({{"case", std::string("build ") + name}}, cost);
   }
   const double megabytes = fs::exists(x3d) ? static_cast<double>(fs::file_size(x3d)) / 1e6 : 0;
   const Cost ours = quickest({program, "validate", x3d}, 3);
   const Cost theirs = quickest({"xmllint", "--stream", "--noout", "--nonet", x3d}, 3);
-  tell({{"case", "validate regional scene.x3d"}, {"megabytes", megabytes}, {"megabytes_per_s", megabytes / ours.wallSeconds}}, ours);
-  tell({{"case", "xmllint --stream of the same"}, {"megabytes", megabytes}, {"megabytes_per_s", megabytes / theirs.wallSeconds}}, theirs);
-  std::printf("%s\n", nlohmann::ordered_json{{"case", "validate, in times of xmllint --stream"}, {"ratio", ours.wallSeconds / theirs.wallSeconds}}.dump().c_str());
+  tell({{"case", "validate regional scene.x3d"},
+        {"megabytes", megabytes},
+        {"megabytes_per_s", megabytes / ours.wallSeconds}},
+       ours);
+  tell({{"case", "xmllint --stream of the same"},
+        {"megabytes", megabytes},
+        {"megabytes_per_s", megabytes / theirs.wallSeconds}},
+       theirs);
+  std::printf("%s\n", nlohmann::ordered_json{{"case", "validate, in times of xmllint --stream"},
+                                             {"ratio", ours.wallSeconds / theirs.wallSeconds}}
+                          .dump()
+                          .c_str());
   fs::remove_all(folder);
 }

@@ -28,7 +28,8 @@ std::string contentOfFile(const fs::path& file) {
 }
 
 /// In the child: redirects, and becomes the program.
-[[noreturn]] void become(const std::vector<std::string>& arguments, const RunOptions& options, const std::string& out, const std::string& err) {
+[[noreturn]] void become(const std::vector<std::string>& arguments, const RunOptions& options,
+                         const std::string& out, const std::string& err) {
   const auto redirect = [](const std::string& file, int descriptor) {
     ::dup2(::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), descriptor);
   };
@@ -78,7 +79,8 @@ Ran runCloudgen(const std::vector<std::string>& arguments, const RunOptions& opt
 std::optional<std::string> gfsForecast() {
   const std::string inside = "usr/share/doc/python-grib-doc/examples/gfs.t12z.pgrbf120.2p5deg.grib2";
   const char* chosen = std::getenv("CLOUDGEN_GFS");
-  for (const std::string& file : {std::string(chosen ? chosen : ""), "/" + inside, CLOUDGEN_SOURCE_DIR "/build/data/" + inside})
+  for (const std::string& file :
+       {std::string(chosen ? chosen : ""), "/" + inside, CLOUDGEN_SOURCE_DIR "/build/data/" + inside})
     if (fs::exists(file)) return file;
   return std::nullopt;
 }
@@ -96,7 +98,8 @@ std::string smallSky() {
 
 std::vector<std::string> namesIn(const fs::path& folder) {
   std::vector<std::string> names;
-  for (const auto& entry : fs::recursive_directory_iterator(folder)) names.push_back(entry.path().lexically_relative(folder).generic_string());
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    names.push_back(entry.path().lexically_relative(folder).generic_string());
   std::sort(names.begin(), names.end());
   return names;
 }
@@ -104,7 +107,8 @@ std::vector<std::string> namesIn(const fs::path& folder) {
 std::map<std::string, std::string> contentOf(const fs::path& folder) {
   std::map<std::string, std::string> contents;
   for (const auto& entry : fs::recursive_directory_iterator(folder))
-    if (entry.is_regular_file()) contents[entry.path().lexically_relative(folder).generic_string()] = contentOfFile(entry.path());
+    if (entry.is_regular_file())
+      contents[entry.path().lexically_relative(folder).generic_string()] = contentOfFile(entry.path());
   if (auto report = contents.find("report.json"); report != contents.end()) {
     auto json = nlohmann::ordered_json::parse(report->second);
     json.erase("timings_seconds");
@@ -113,7 +117,8 @@ std::map<std::string, std::string> contentOf(const fs::path& folder) {
   return contents;
 }
 
-std::vector<std::string> differences(const std::map<std::string, std::string>& one, const std::map<std::string, std::string>& other) {
+std::vector<std::string> differences(const std::map<std::string, std::string>& one,
+                                     const std::map<std::string, std::string>& other) {
   std::set<std::string> names;
   for (const auto* side : {&one, &other})
     for (const auto& [name, content] : *side) names.insert(name);

@@ -25,7 +25,8 @@ struct RunOptions {
 /// Runs the built program and waits for its end; throws std::runtime_error if it cannot be started.
 Ran runCloudgen(const std::vector<std::string>& arguments, const RunOptions& options = {});
 
-/// The GFS forecast of Debian's python-grib-doc: $CLOUDGEN_GFS, or where the package puts it. Nothing if it is not there.
+/// The GFS forecast of Debian's python-grib-doc: $CLOUDGEN_GFS, or where the package puts it. Nothing if it
+/// is not there.
 std::optional<std::string> gfsForecast();
 
 /// A file of ../shared/data, if it is there.
@@ -41,6 +42,7 @@ std::vector<std::string> namesIn(const std::filesystem::path& folder);
 std::map<std::string, std::string> contentOf(const std::filesystem::path& folder);
 
 /// Names of files that are not the same in both, or in one only.
-std::vector<std::string> differences(const std::map<std::string, std::string>& one, const std::map<std::string, std::string>& other);
+std::vector<std::string> differences(const std::map<std::string, std::string>& one,
+                                     const std::map<std::string, std::string>& other);
 
 }  // namespace cloudgen::test

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the program says and leaves when it cannot do what it is asked: one message, the right exit code, nothing written.
+// What the program says and leaves when it cannot do what it is asked: one message, the right exit code,
+// nothing written.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,7 +19,8 @@ constexpr int kInput = 1, kUsage = 2, kNotBuilt = 3, kOutput = 4;
 
 class Refusal : public ::testing::Test {
  protected:
-  /// Runs it and expects this exit code, one message of at most two lines that holds `part`, nothing on stdout, nothing written.
+  /// Runs it and expects this exit code, one message of at most two lines that holds `part`, nothing on
+  /// stdout, nothing written.
   void refuses(const Words& arguments, int exitCode, const std::string& part) {
     std::string line;
     for (const std::string& word : arguments) line += " " + word;
@@ -55,9 +57,11 @@ TEST_F(Refusal, InputThatIsNotThere) {
 
 TEST_F(Refusal, InputThatIsNoModelOutput) {
   refuses({"build", folder.write("empty.grib2", ""), "-o", out}, kInput, "empty.grib2");
-  refuses({"build", folder.write("words.grib2", "these are words, no forecast\n"), "-o", out}, kInput, "words.grib2");
+  refuses({"build", folder.write("words.grib2", "these are words, no forecast\n"), "-o", out}, kInput,
+          "words.grib2");
   refuses({"build", folder.write("noise.bin", std::string(5000, '\xa7')), "-o", out}, kInput, "noise.bin");
-  refuses({"build", folder.write("broken.sky.json", "{\"cloudgen_sky\": 1,"), "-o", out}, kInput, "broken.sky.json");
+  refuses({"build", folder.write("broken.sky.json", "{\"cloudgen_sky\": 1,"), "-o", out}, kInput,
+          "broken.sky.json");
   refuses({"build", folder.write("GRIB.grib2", "GRIB"), "-o", out}, kInput, "GRIB.grib2");
 }
 
@@ -98,7 +102,9 @@ TEST_F(Refusal, OptionsThatMakeNoSense) {
   refuses({"preview", folder.path(), "-o", out, "--size", "big"}, kUsage, "--size big");
 }
 
-TEST_F(Refusal, TimeThatTheDataDoNotHave) { refuses(buildWith({"--time", "2020-01-01T00:00Z"}), kInput, "2026-06-21T20:00"); }
+TEST_F(Refusal, TimeThatTheDataDoNotHave) {
+  refuses(buildWith({"--time", "2020-01-01T00:00Z"}), kInput, "2026-06-21T20:00");
+}
 
 TEST_F(Refusal, WordsThatItDoesNotKnow) {
   refuses({"biuld", sky, "-o", out}, kUsage, "did you mean build?");
@@ -133,9 +139,16 @@ TEST_F(Refusal, FoldersThatAreInUse) {
 }
 
 TEST_F(Refusal, FilesThatAreNoScenes) {
-  refuses({"validate", folder.path() / "missing.x3d"}, kInput, "missing.x3d");
   refuses({"preview", folder.path(), "-o", out}, kInput, "scene.splats.glb");
   refuses({"preview", folder.write("words.glb", "these are words"), "-o", out}, kInput, "words.glb");
+}
+
+TEST_F(Refusal, ScenesThatAreNotThereDoNotKeepOthersFromBeingChecked) {
+  const Ran ran = runCloudgen(
+      {"validate", folder.path() / "missing.x3d", folder.write("bad.x3d", "<X3D><Clowd/></X3D>")});
+  EXPECT_EQ(ran.exitCode, kInput) << ran.err;
+  EXPECT_NE(ran.err.find("missing.x3d"), std::string::npos) << ran.err;
+  EXPECT_NE(ran.out.find("Clowd"), std::string::npos) << ran.out;
 }
 
 }  // namespace

@@ -28,7 +28,8 @@ class Run : public ::testing::Test {
 };
 
 TEST_F(Run, HelpIsNoFailure) {
-  for (const Words& words : {Words{"-h"}, Words{"--help"}, Words{"build", "-h"}, Words{"build", "--help"}, Words{"validate", "--help"}}) {
+  for (const Words& words : {Words{"-h"}, Words{"--help"}, Words{"build", "-h"}, Words{"build", "--help"},
+                             Words{"validate", "--help"}}) {
     const Ran ran = runCloudgen(words);
     EXPECT_EQ(ran.exitCode, 0) << words.front() << ran.err;
     EXPECT_EQ(ran.err, "");
@@ -46,7 +47,8 @@ TEST_F(Run, NothingAskedIsAnsweredByAShortUsage) {
 }
 
 TEST_F(Run, MachinesGetJsonAndNothingElse) {
-  for (const Words& words : {Words{"--version", "--json"}, Words{"types", "--json"}, Words{"formats", "--json"}, Words{"inspect", sky, "--json"}}) {
+  for (const Words& words : {Words{"--version", "--json"}, Words{"types", "--json"},
+                             Words{"formats", "--json"}, Words{"inspect", sky, "--json"}}) {
     const Ran ran = runCloudgen(words);
     EXPECT_EQ(ran.exitCode, 0) << ran.err;
     EXPECT_TRUE(nlohmann::json::accept(ran.out)) << words.front() << ": " << ran.out;
@@ -87,7 +89,9 @@ TEST_F(Run, ItsOwnScenesAreValid) {
 }
 
 TEST_F(Run, AnInvalidSceneEndsWithFour) {
-  const Ran ran = runCloudgen({"validate", "--json", folder.write("bad.x3d", "<X3D profile='Immersive' version='4.0'><Scene><Clowd/></Scene></X3D>")});
+  const Ran ran = runCloudgen(
+      {"validate", "--json",
+       folder.write("bad.x3d", "<X3D profile='Immersive' version='4.0'><Scene><Clowd/></Scene></X3D>")});
   EXPECT_EQ(ran.exitCode, 4) << ran.err;
   const auto report = nlohmann::json::parse(ran.out);
   EXPECT_FALSE(report.at("valid").get<bool>());
@@ -125,7 +129,8 @@ TEST_F(Run, OptionsComeFromAFile) {
 TEST_F(Run, ABoxMayCrossTheAntimeridian) {
   const auto forecast = gfsForecast();
   if (!forecast) GTEST_SKIP() << "the GFS forecast of python-grib-doc is not there";
-  const Ran ran = runCloudgen({"build", *forecast, "--bbox", "170,-20,-170,0", "-o", out, "--formats", "splats", "--max-puffs", "3000", "--json"});
+  const Ran ran = runCloudgen({"build", *forecast, "--bbox", "170,-20,-170,0", "-o", out, "--formats",
+                               "splats", "--max-puffs", "3000", "--json"});
   ASSERT_EQ(ran.exitCode, 0) << ran.err;
   const auto report = nlohmann::json::parse(ran.out);
   EXPECT_GT(report.at("counts").at("clouds").get<int>(), 0);
@@ -148,7 +153,8 @@ TEST_F(Run, AnInterruptedRunLeavesNothing) {
 TEST_F(Run, PicturesOfAScene) {
   ASSERT_EQ(build({"--formats", "splats"}).exitCode, 0);
   for (const char* view : {"top", "ground", "horizon", "-122.02,36.7,1500:-122.02,36.78,1400"}) {
-    const Ran ran = runCloudgen({"preview", out, "-o", folder.path() / "a.png", "--size", "160x90", "--view", view});
+    const Ran ran =
+        runCloudgen({"preview", out, "-o", folder.path() / "a.png", "--size", "160x90", "--view", view});
     EXPECT_EQ(ran.exitCode, 0) << view << ran.err;
     EXPECT_EQ(contentOf(folder.path())["a.png"].substr(1, 3), "PNG");
   }

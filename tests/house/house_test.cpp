@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who may use whom, who may print, and other rules that hold for all files; and that the checker sees what breaks them.
+// Who may use whom, who may print, and other rules that hold for all files; and that the checker sees what
+// breaks them.
 #include <gtest/gtest.h>
 
 #include "base/file.hpp"
@@ -26,25 +27,31 @@ TEST(House, StandsByItsRules) {
   ASSERT_GT(files.size(), 200u) << "the walk over the repository found too little";
   std::string report;
   for (const std::string& file : files)
-    for (const auto& violation : violationsIn(file, cloudgen::base::readFile(root / file))) report += cloudgen::house::text(violation) + "\n";
+    for (const auto& violation : violationsIn(file, cloudgen::base::readFile(root / file)))
+      report += cloudgen::house::text(violation) + "\n";
   EXPECT_EQ(report, "");
 }
 
 TEST(HouseChecker, SeesRoomsThatUseRoomsAboveThem) {
   EXPECT_EQ(rulesBroken("src/base/a.cpp", kLicence + "#include \"field/grid.hpp\"\n"), Rules{"room"});
   EXPECT_EQ(rulesBroken("src/field/a.cpp", kLicence + "#include \"cli/command.hpp\"\n"), Rules{"room"});
-  EXPECT_EQ(rulesBroken("src/check/gltf/a.cpp", kLicence + "#include \"writer/gltf/glb_file.hpp\"\n"), Rules{"room"});
+  EXPECT_EQ(rulesBroken("src/check/gltf/a.cpp", kLicence + "#include \"writer/gltf/glb_file.hpp\"\n"),
+            Rules{"room"});
   EXPECT_EQ(rulesBroken("src/check/a.cpp", kLicence + "#include \"scene/scene.hpp\"\n"), Rules{"room"});
-  EXPECT_EQ(rulesBroken("src/writer/x3d/a.cpp", kLicence + "  #  include \"pipeline/pipeline.hpp\"\n"), Rules{"room"});
+  EXPECT_EQ(rulesBroken("src/writer/x3d/a.cpp", kLicence + "  #  include \"pipeline/pipeline.hpp\"\n"),
+            Rules{"room"});
   EXPECT_EQ(rulesBroken("src/attic/a.cpp", kLicence + "#include \"base/error.hpp\"\n"), Rules{"room"});
-  EXPECT_EQ(rulesBroken("src/field/a.cpp", kLicence + "#include \"base/error.hpp\"\n#include \"field/grid.hpp\"\n"), Rules{});
+  EXPECT_EQ(
+      rulesBroken("src/field/a.cpp", kLicence + "#include \"base/error.hpp\"\n#include \"field/grid.hpp\"\n"),
+      Rules{});
   EXPECT_EQ(rulesBroken("src/field/a.cpp", kLicence + "#include \"grid.hpp\"\n"), Rules{"include"});
 }
 
 TEST(HouseChecker, SeesLibrariesOutsideOfTheirRoom) {
   EXPECT_EQ(rulesBroken("src/pipeline/a.cpp", kLicence + "#include <eccodes.h>\n"), Rules{"library"});
   EXPECT_EQ(rulesBroken("src/input/described/a.cpp", kLicence + "#include <eccodes.h>\n"), Rules{"library"});
-  EXPECT_EQ(rulesBroken("src/writer/gltf/cards.cpp", kLicence + "#include <tiny_gltf.h>\n"), Rules{"library"});
+  EXPECT_EQ(rulesBroken("src/writer/gltf/cards.cpp", kLicence + "#include <tiny_gltf.h>\n"),
+            Rules{"library"});
   EXPECT_EQ(rulesBroken("src/writer/x3d/a.cpp", kLicence + "#include <libxml/tree.h>\n"), Rules{"library"});
   EXPECT_EQ(rulesBroken("src/light/a.cpp", kLicence + "#include <tbb/parallel_for.h>\n"), Rules{"library"});
   EXPECT_EQ(rulesBroken("src/field/grid.hpp", kLicence + "#include <nlohmann/json.hpp>\n"), Rules{"library"});
@@ -52,10 +59,15 @@ TEST(HouseChecker, SeesLibrariesOutsideOfTheirRoom) {
 }
 
 TEST(HouseChecker, SeesPrintingChanceAndLeaving) {
-  EXPECT_EQ(rulesBroken("src/light/a.cpp", kLicence + "std::printf(\"x\");\nstd::cerr << 1;\nfmt::print(\"x\");\n"), (Rules{"print", "print", "print"}));
+  EXPECT_EQ(
+      rulesBroken("src/light/a.cpp", kLicence + "std::printf(\"x\");\nstd::cerr << 1;\nfmt::print(\"x\");\n"),
+      (Rules{"print", "print", "print"}));
   EXPECT_EQ(rulesBroken("src/cli/a.cpp", kLicence + "std::printf(\"x\");\n"), Rules{});
-  EXPECT_EQ(rulesBroken("src/shape/a.cpp", kLicence + "int x = rand();\nstd::mt19937 y;\n"), (Rules{"chance", "chance"}));
-  EXPECT_EQ(rulesBroken("src/shape/a.cpp", kLicence + "std::snprintf(b, 4, \"x\");\nint operand(int);  // rand(), exit(1)\n"), Rules{});
+  EXPECT_EQ(rulesBroken("src/shape/a.cpp", kLicence + "int x = rand();\nstd::mt19937 y;\n"),
+            (Rules{"chance", "chance"}));
+  EXPECT_EQ(rulesBroken("src/shape/a.cpp",
+                        kLicence + "std::snprintf(b, 4, \"x\");\nint operand(int);  // rand(), exit(1)\n"),
+            Rules{});
   EXPECT_EQ(rulesBroken("src/shape/a.cpp", kLicence + "std::exit(1);\n"), Rules{"exit"});
 }
 

@@ -20,11 +20,13 @@ struct Violation {
 /// The violation as one line: file:line: rule: what.
 std::string text(const Violation& violation);
 
-/// Breaks of the rules by one file. `file` is its path from the root of the repository ("src/base/error.hpp"), which decides
-/// what rules hold for it; `content` is its text. Binary files are held to no rule.
+/// Breaks of the rules by one file. `file` is its path from the root of the repository
+/// ("src/base/error.hpp"), which decides what rules hold for it; `content` is its text. Binary files are held
+/// to no rule.
 std::vector<Violation> violationsIn(std::string_view file, std::string_view content);
 
-/// The files that people wrote, as paths from `root`: no build folders, outputs, fetched packages or version control.
+/// The files that people wrote, as paths from `root`: no build folders, outputs, fetched packages or version
+/// control.
 std::vector<std::string> sourceFiles(const std::filesystem::path& root);
 
 }  // namespace cloudgen::house

@@ -8,7 +8,8 @@
 
 namespace cloudgen::house {
 
-/// Source files under `folder` may include headers of `mayUse` (and their own). The longest folder that fits counts.
+/// Source files under `folder` may include headers of `mayUse` (and their own). The longest folder that fits
+/// counts.
 struct Room {
   std::string_view folder;
   std::set<std::string_view> mayUse;
@@ -56,9 +57,9 @@ inline const std::array kLibraries{
 };
 
 /// Only readers and writers of a format speak JSON.
-inline const std::set<std::string_view> kJsonOwners{"src/shape/recipe.cpp", "src/pipeline/recipes.cpp", "src/image/sprite_",
-                                                    "src/input/",           "src/writer/",             "src/check/gltf/",
-                                                    "src/cli/"};
+inline const std::set<std::string_view> kJsonOwners{
+    "src/shape/recipe.cpp", "src/pipeline/recipes.cpp", "src/image/sprite_", "src/input/",
+    "src/writer/",          "src/check/gltf/",          "src/cli/"};
 
 inline constexpr int kMostLines = 600;
 
