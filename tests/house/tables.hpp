@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// The rules of the house as data: who may use whom.
+#pragma once
+
+#include <array>
+#include <set>
+#include <string_view>
+
+namespace cloudgen::house {
+
+/// Source files under `folder` may include headers of `mayUse` (and their own). The longest folder that fits
+/// counts.
+struct Room {
+  std::string_view folder;
+  std::set<std::string_view> mayUse;
+};
+
+inline const std::array kRooms{
+    Room{"src/base/", {}},
+    Room{"src/field/", {"base"}},
+    Room{"src/input/", {"base", "field"}},
+    Room{"src/shape/", {"base"}},
+    Room{"src/light/", {"base", "shape"}},
+    Room{"src/image/", {"base", "shape", "light"}},
+    Room{"src/scene/", {"base", "shape", "light", "image"}},
+    Room{"src/pipeline/", {"base", "field", "shape", "light", "image", "scene"}},
+    // A writer sees the scene and what the scene is made of.
+    Room{"src/writer/", {"base", "scene", "shape", "light", "image"}},
+    // A second opinion: what reads the written bytes shares no code with what wrote them.
+    Room{"src/check/", {"base", "field"}},
+    Room{"src/cli/",
+         {"base", "field", "input", "shape", "light", "image", "scene", "pipeline", "writer", "check"}},
+};
+
+/// Headers that begin with `header` are private to files that begin with one of `owners`.
+struct Library {
+  std::string_view header;
+  std::set<std::string_view> owners;
+};
+
+inline const std::array kLibraries{
+    Library{"eccodes", {"src/input/grib/"}},
+    Library{"grib_api", {}},
+    Library{"libxml/", {"src/check/xsd/"}},
+    Library{"tiny_gltf", {"src/writer/gltf/glb_file.cpp"}},
+    Library{"OpenImageIO/", {"src/image/"}},
+    Library{"Imath/", {"src/image/"}},
+    Library{"tbb/", {"src/base/"}},
+    Library{"oneapi/", {"src/base/"}},
+    Library{"proj", {"src/base/"}},
+    Library{"Random123/", {"src/base/"}},
+    Library{"libnova/", {"src/light/"}},
+    Library{"valijson/", {"src/pipeline/"}},
+    Library{"CLI/", {"src/cli/"}},
+    Library{"CL/", {}},
+    Library{"Magick", {}},
+};
+
+/// Only readers and writers of a format speak JSON.
+inline const std::set<std::string_view> kJsonOwners{
+    "src/shape/recipe.cpp", "src/pipeline/recipes.cpp", "src/image/sprite_", "src/input/",
+    "src/writer/",          "src/check/gltf/",          "src/cli/"};
+
+inline constexpr int kMostLines = 600;
+
+}  // namespace cloudgen::house

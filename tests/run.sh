@@ -1,0 +1,90 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# All tests, from a clean clone: bash tests/run.sh
+# Installs the Debian packages that are missing, builds with warnings as errors (build/dev), runs ctest (unit tests, the rules of
+# the house, the command line, the fuzzers' seeds), compiles four skies and opens them in the viewers that people use.
+# The last line counts: "N passed, N failed". The exit code is 0 only if nothing failed.
+set -uo pipefail
+# shellcheck source=tools/setup.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../tools/setup.sh"
+cd "$repository" || exit 1
+started=$SECONDS passed=0 failed=0 failures=()
+
+pass() { passed=$((passed + $1)); }
+fail() { failed=$((failed + $1)); failures+=("$2"); }
+finish() {
+  say "Summary, after $((SECONDS - started)) s"
+  [ ${#failures[@]} -eq 0 ] || printf 'FAILED  %s\n' "${failures[@]}"
+  echo "$passed passed, $failed failed"
+  [ "$failed" -eq 0 ]
+  exit
+}
+# part NAME COMMAND...: one check of its own.
+part() {
+  local name=$1
+  shift
+  if "$@"; then pass 1; else fail 1 "$name"; fi
+}
+
+need_packages build test
+forecast=$(gfs_file) || exit 1
+export CLOUDGEN_GFS=$forecast
+[ -d ../shared ] || echo "skipped: the tests on the data of ../shared, which is not there"
+
+say "Building (build/dev, warnings are errors)"
+mkdir -p build
+cmake --preset dev >build/dev.log 2>&1 || { cat build/dev.log; fail 1 "cmake --preset dev"; finish; }
+cmake --build --preset dev || { fail 1 "cmake --build --preset dev"; finish; }
+cloudgen=build/dev/src/cli/cloudgen
+
+say "Unit tests, rules of the house, command line, fuzzers' seeds"
+ctest --preset dev -j "$(nproc)" --timeout 600 2>&1 | tee build/ctest.log
+counts=$(grep -oE '[0-9]+ tests failed out of [0-9]+' build/ctest.log | tail -1)
+if [ -n "$counts" ]; then
+  read -r broken _ _ _ _ all <<<"$counts"
+  pass $((all - broken))
+  [ "$broken" -eq 0 ] || fail "$broken" "ctest: $(sed -n 's/^\t *[0-9]* - \([^ ]*\) .*/\1/p' build/ctest.log | paste -sd' ')"
+else
+  fail 1 "ctest: no result"
+fi
+
+say "Four skies, and what the validator says of them"
+scenes=build/scenes
+rm -rf "$scenes"
+mkdir -p "$scenes"
+made=()
+make_sky() {
+  local name=$1
+  shift
+  if "$cloudgen" build "$@" -o "$scenes/$name"; then
+    pass 1
+    made+=("$scenes/$name")
+  else
+    fail 1 "build of the sky $name"
+    return
+  fi
+  part "validate $name" "$cloudgen" validate "$scenes/$name"/scene.*
+  part "preview $name" "$cloudgen" preview "$scenes/$name" -o "$scenes/$name/preview.png"
+}
+make_sky theatre "$forecast" --bbox "$theatre_box"
+make_sky regional "$forecast" --bbox "$regional_box"
+make_sky cumulus examples/gallery/cumulus.sky.json
+make_sky cumulonimbus examples/gallery/cumulonimbus.sky.json
+
+say "In browsers and viewers"
+lock=tests/web/package-lock.json installed=tests/web/node_modules/.package-lock.json
+if [ ! "$installed" -nt "$lock" ]; then
+  npm ci --prefix tests/web --no-audit --no-fund --loglevel=error || { fail 1 "npm ci of tests/web: is the registry there?"; finish; }
+fi
+if [ ${#made[@]} -gt 0 ]; then
+  node tests/web/run.mjs --scenes "${made[@]}" 2>&1 | tee build/web.log
+  counts=$(grep -E '^[0-9]+ passed, [0-9]+ failed' build/web.log | tail -1)
+  if [ -n "$counts" ]; then
+    read -r good _ broken _ <<<"$counts"
+    pass "$good"
+    [ "$broken" -eq 0 ] || fail "$broken" "browser: $(sed -n 's/^FAILED  //p' build/web.log | paste -sd';')"
+  else
+    fail 1 "browser tests: no result"
+  fi
+fi
+finish
