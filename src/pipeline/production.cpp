@@ -88,11 +88,19 @@ float shadingOf(base::Genus genus) {
   return 1.0f;
 }
 
-scene::LitArchetype lightArchetype(std::uint32_t index, int yawStep, const scene::Archetype& archetype, const Origin& origin) {
+/// The puffs as the light meets them: an element of a sheet stands among others that overlap it.
+std::vector<shape::Puff> amongNeighbours(const scene::Archetype& archetype, const shape::Recipe& recipe) {
+  std::vector<shape::Puff> puffs = archetype.puffs;
+  const double layers = shape::footprintSquareMeters(archetype.widthMeters) / coveredSquareMeters(recipe, archetype.widthMeters);
+  for (shape::Puff& puff : puffs) puff.extinctionPerMeter *= static_cast<float>(layers);
+  return puffs;
+}
+
+scene::LitArchetype lightArchetype(std::uint32_t index, int yawStep, const scene::Archetype& archetype, const shape::Recipe& recipe, const Origin& origin) {
   const glm::quat turnBack = glm::angleAxis(-scene::yawRadians(yawStep), glm::vec3(0, 1, 0));
   const light::Lighting lighting{turnBack * origin.sun.direction, origin.sun.color, origin.sky};
   const int cells = std::clamp(static_cast<int>(5.0 * std::cbrt(static_cast<double>(archetype.puffs.size()))), 20, 90);
-  const light::ExtinctionGrid grid(archetype.puffs, cells);
+  const light::ExtinctionGrid grid(amongNeighbours(archetype, recipe), cells);
   scene::LitArchetype lit;
   lit.archetype = index;
   lit.yawStep = yawStep;
@@ -151,7 +159,8 @@ scene::Scene produce(const field::CloudTable& table, const Origin& origin, const
   scene.lit.resize(lits.size());
   base::parallelFor(lits.size(), [&](size_t i) {
     if (progress.cancelled && progress.cancelled()) return;
-    scene.lit[i] = lightArchetype(lits[i].first, lits[i].second, scene.archetypes[lits[i].first], origin);
+    const scene::Archetype& archetype = scene.archetypes[lits[i].first];
+    scene.lit[i] = lightArchetype(lits[i].first, lits[i].second, archetype, options.recipes.of(archetype.genus), origin);
   });
   progress.step("production: light", 1);
 

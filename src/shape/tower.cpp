@@ -12,7 +12,7 @@ namespace {
 
 /// Radius of the updraught's column at a height share: broad foot, waist, spreading under the anvil.
 double columnRadius(double share) {
-  return 0.125 + 0.035 * std::pow(1.0 - share, 2.0) + 0.045 * base::smoothStep(0.65, 1.0, share);
+  return 0.098 + 0.035 * std::pow(1.0 - share, 2.0) + 0.04 * base::smoothStep(0.65, 1.0, share);
 }
 
 /// Fibres of ice that leave the top of the column on all sides, mostly downwind, thinning outwards.
