@@ -36,6 +36,13 @@ field::GeoPoint inCell(const field::Grid& grid, std::uint32_t cell, double u, do
   return field::pointAt(grid, grid.column(cell) + u - 0.5, grid.row(cell) + v - 0.5);
 }
 
+/// Distance of two places a cell apart.
+double lengthMeters(const field::GeoPoint& a, const field::GeoPoint& b) {
+  const double middle = 0.5 * (a.latitudeDegrees + b.latitudeDegrees) * std::numbers::pi / 180.0;
+  const double east = base::wrappedLongitude(b.longitudeDegrees - a.longitudeDegrees) * std::cos(middle);
+  return kEarthRadiusMeters * std::numbers::pi / 180.0 * std::hypot(east, b.latitudeDegrees - a.latitudeDegrees);
+}
+
 struct Candidate {
   field::GeoPoint place;
   double rank = 0;
@@ -60,8 +67,8 @@ std::vector<Candidate> scattered(const field::Grid& grid, const Layer& layer, in
 /// A jittered lattice of about `count` / fraction places.
 std::vector<Candidate> lattice(const field::Grid& grid, const Layer& layer, double count, double widthMeters, std::uint64_t seed) {
   const double places = std::max(1.0, count / layer.fraction);
-  const field::GeoPoint center = inCell(grid, layer.cell, 0.5, 0.5);
-  const double aspect = std::max(0.05, std::cos(center.latitudeDegrees * std::numbers::pi / 180.0)) * std::abs(grid.stepX / grid.stepY);
+  const double aspect = std::max(0.05, lengthMeters(inCell(grid, layer.cell, 0, 0.5), inCell(grid, layer.cell, 1, 0.5)) /
+                                           lengthMeters(inCell(grid, layer.cell, 0.5, 0), inCell(grid, layer.cell, 0.5, 1)));
   const int columns = std::max(1, static_cast<int>(std::lround(std::sqrt(places * aspect))));
   const int rows = std::max(1, static_cast<int>(std::lround(places / columns)));
   std::vector<Candidate> candidates;
@@ -98,11 +105,18 @@ void placeClouds(const field::Grid& grid, const Options& options, const Generali
     const double width = meanWidthMeters(general, recipe, layer.depthMeters());
     const double area = layer.fraction * field::cellAreaSquareMeters(grid, layer.cell);
     const double expected = area / coveredSquareMeters(recipe, width);
-    const int count = wholeCount(expected, options.seed, layer);
-    auto candidates = recipe.sheet ? lattice(grid, layer, expected, width, options.seed) : scattered(grid, layer, count, width, options.seed);
-    keepHighest(candidates, recipe.sheet ? static_cast<size_t>(std::lround(layer.fraction * static_cast<double>(candidates.size()))) : static_cast<size_t>(count));
-    // What one cloud must cover so that all of them cover fraction times area.
-    const double covers = candidates.empty() ? 0 : area / static_cast<double>(candidates.size());
+    std::vector<Candidate> candidates;
+    double mean = expected;
+    if (recipe.sheet) {
+      candidates = lattice(grid, layer, expected, width, options.seed);
+      mean = layer.fraction * static_cast<double>(candidates.size());
+    }
+    const int count = wholeCount(mean, options.seed, layer);
+    if (!recipe.sheet) candidates = scattered(grid, layer, count, width, options.seed);
+    keepHighest(candidates, static_cast<size_t>(count));
+    // What one cloud must cover so that all of them cover fraction times area; where a cell has a cloud only now and
+    // then, those of many cells do.
+    const double covers = mean < 1 ? area / mean : area / count;
     for (const Candidate& candidate : candidates) {
       if (!box.contains(candidate.place.longitudeDegrees, candidate.place.latitudeDegrees)) continue;
       field::Cloud cloud;
