@@ -9,16 +9,10 @@
 namespace cloudgen::pipeline {
 namespace {
 
-/// Share of a cell's area that lies in the box, by its extent in degrees (on any map: from the middles of its sides).
+/// Share of a cell's area that lies in the box, by its extent in degrees.
 double shareInside(const field::Grid& grid, std::uint32_t cell, const base::GeoBox& box) {
-  const int column = grid.column(cell), row = grid.row(cell);
-  const field::GeoPoint center = field::pointAt(grid, column, row);
-  const field::GeoPoint left = field::pointAt(grid, column - 0.5, row), right = field::pointAt(grid, column + 0.5, row);
-  const field::GeoPoint below = field::pointAt(grid, column, row - 0.5), above = field::pointAt(grid, column, row + 0.5);
-  const auto eastward = [](const field::GeoPoint& a, const field::GeoPoint& b) { return base::wrappedLongitude(b.longitudeDegrees - a.longitudeDegrees); };
-  const auto northward = [](const field::GeoPoint& a, const field::GeoPoint& b) { return b.latitudeDegrees - a.latitudeDegrees; };
-  const double halfX = 0.5 * std::hypot(eastward(left, right), eastward(below, above));
-  const double halfY = 0.5 * std::hypot(northward(left, right), northward(below, above));
+  const field::GeoPoint center = field::pointAt(grid, grid.column(cell), grid.row(cell));
+  const double halfX = 0.5 * std::abs(grid.stepX), halfY = 0.5 * std::abs(grid.stepY);
   const double west = base::wrappedLongitude(center.longitudeDegrees - box.centerLongitude());
   const double x = std::min(west + halfX, 0.5 * box.width()) - std::max(west - halfX, -0.5 * box.width());
   const double y = std::min(center.latitudeDegrees + halfY, box.north) - std::max(center.latitudeDegrees - halfY, box.south);
@@ -80,7 +74,8 @@ Generalisation generalise(const field::Grid& grid, std::span<const field::Layer>
     }
     return puffs;
   };
-  const double budget = static_cast<double>(options.maxPuffs);
+  // Where clouds as wide as they may be still take more than the budget, they need not be wider than that takes.
+  const double budget = std::max(static_cast<double>(options.maxPuffs), 1.001 * coarsestPuffs(1000));
   double enough = 1;
   if (coarsestPuffs(1) > budget) {
     double tooFew = 1;

@@ -36,13 +36,6 @@ field::GeoPoint inCell(const field::Grid& grid, std::uint32_t cell, double u, do
   return field::pointAt(grid, grid.column(cell) + u - 0.5, grid.row(cell) + v - 0.5);
 }
 
-/// Distance of two places a cell apart.
-double lengthMeters(const field::GeoPoint& a, const field::GeoPoint& b) {
-  const double middle = 0.5 * (a.latitudeDegrees + b.latitudeDegrees) * std::numbers::pi / 180.0;
-  const double east = base::wrappedLongitude(b.longitudeDegrees - a.longitudeDegrees) * std::cos(middle);
-  return kEarthRadiusMeters * std::numbers::pi / 180.0 * std::hypot(east, b.latitudeDegrees - a.latitudeDegrees);
-}
-
 struct Candidate {
   field::GeoPoint place;
   double rank = 0;
@@ -67,8 +60,8 @@ std::vector<Candidate> scattered(const field::Grid& grid, const Layer& layer, in
 /// A jittered lattice of about `count` / fraction places.
 std::vector<Candidate> lattice(const field::Grid& grid, const Layer& layer, double count, double widthMeters, std::uint64_t seed) {
   const double places = std::max(1.0, count / layer.fraction);
-  const double aspect = std::max(0.05, lengthMeters(inCell(grid, layer.cell, 0, 0.5), inCell(grid, layer.cell, 1, 0.5)) /
-                                           lengthMeters(inCell(grid, layer.cell, 0.5, 0), inCell(grid, layer.cell, 0.5, 1)));
+  const field::GeoPoint center = inCell(grid, layer.cell, 0.5, 0.5);
+  const double aspect = std::max(0.05, std::cos(center.latitudeDegrees * std::numbers::pi / 180.0)) * std::abs(grid.stepX / grid.stepY);
   const int columns = std::max(1, static_cast<int>(std::lround(std::sqrt(places * aspect))));
   const int rows = std::max(1, static_cast<int>(std::lround(places / columns)));
   std::vector<Candidate> candidates;

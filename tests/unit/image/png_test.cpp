@@ -28,7 +28,8 @@ TEST(Png, PictureIsRoundedToBytesAndClamped) {
   picture.at(0, 0) = {0.5f, -1, 2};
   picture.at(1, 0) = {1, 0.2f, 0};
   writePng(folder.path() / "p.png", picture);
-  EXPECT_EQ(test::readPng(folder.path() / "p.png").bytes, (std::vector<unsigned char>{128, 0, 255, 255, 51, 0}));
+  EXPECT_EQ(test::readPng(folder.path() / "p.png").bytes,
+            (std::vector<unsigned char>{128, 0, 255, 255, 51, 0}));
 }
 
 TEST(Png, SamePictureSameBytesAndNothingBeside) {

@@ -43,18 +43,20 @@ TEST(Sprites, TilesEndTransparentAndAreOpaqueInside) {
       for (int x = 0; x < 512; ++x) {
         const int alpha = alphaAt(image, x, y);
         opaquest = std::max(opaquest, alpha);
-        if (x % side == 0 || x % side == side - 1 || y % side == 0 || y % side == side - 1)
-          ASSERT_EQ(alpha, 0) << atlas.file << ' ' << x << ' ' << y;
+        const bool onBorder = x % side == 0 || x % side == side - 1 || y % side == 0 || y % side == side - 1;
+        ASSERT_TRUE(!onBorder || alpha == 0) << atlas.file << ' ' << x << ' ' << y;
         if (alpha > 0) continue;
         for (int c = 0; c + 1 < image.channels; ++c)
-          ASSERT_GT(image.bytes[static_cast<std::size_t>((y * 512 + x) * image.channels + c)], 30) << atlas.file;
+          ASSERT_GT(image.bytes[static_cast<std::size_t>((y * 512 + x) * image.channels + c)], 30)
+              << atlas.file;
       }
     EXPECT_GT(opaquest, 0.9 * 255) << atlas.file;
   }
 }
 
 TEST(Sprites, TheCommittedSetIsWhatIsBaked) {
-  const ByteImage committed = test::readPng(textures() / "cumulus.png"), baked = bakeSprites(base::Genus::Cumulus);
+  const ByteImage committed = test::readPng(textures() / "cumulus.png"),
+                  baked = bakeSprites(base::Genus::Cumulus);
   EXPECT_EQ(baked.channels, committed.channels);
   EXPECT_TRUE(baked.bytes == committed.bytes) << "make the set again with: cloudgen textures -o textures";
 }
@@ -74,10 +76,13 @@ TEST(Sprites, TextureBoxesLieInsideTheirTiles) {
 TEST(Sprites, ABrokenManifestIsRefused) {
   const test::Scratch folder;
   EXPECT_THROW(readSpriteManifest(folder.path()), base::InputError);
-  for (const char* text :
-       {"", "[]", "{\"atlases\": []}", "{\"atlases\": [{\"genus\": \"Xy\", \"file\": \"a.png\", \"columns\": 1, \"rows\": 1, \"tile_pixels\": 8}]}",
-        "{\"atlases\": [{\"genus\": \"Cu\", \"file\": \"../a.png\", \"columns\": 1, \"rows\": 1, \"tile_pixels\": 8}]}",
-        "{\"atlases\": [{\"genus\": \"Cu\", \"file\": \"a.png\", \"columns\": 0, \"rows\": 1, \"tile_pixels\": 8}]}"}) {
+  for (const char* text : {"", "[]", "{\"atlases\": []}",
+                           "{\"atlases\": [{\"genus\": \"Xy\", \"file\": \"a.png\", \"columns\": 1, "
+                           "\"rows\": 1, \"tile_pixels\": 8}]}",
+                           "{\"atlases\": [{\"genus\": \"Cu\", \"file\": \"../a.png\", \"columns\": 1, "
+                           "\"rows\": 1, \"tile_pixels\": 8}]}",
+                           "{\"atlases\": [{\"genus\": \"Cu\", \"file\": \"a.png\", \"columns\": 0, "
+                           "\"rows\": 1, \"tile_pixels\": 8}]}"}) {
     folder.write("manifest.json", text);
     EXPECT_THROW(readSpriteManifest(folder.path()), base::InputError) << text;
   }

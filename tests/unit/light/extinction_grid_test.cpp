@@ -33,10 +33,12 @@ TEST(ExtinctionGrid, KeepsTheExtinctionArea) {
   std::vector<shape::Puff> puffs;
   double area = 0;
   for (int i = 0; i < 60; ++i) {
-    shape::Puff puff = ball(glm::dvec3(random.uniform(-800, 800), random.uniform(0, 400), random.uniform(-500, 500)),
-                            static_cast<float>(random.uniform(5, 120)), 0.03f);
+    shape::Puff puff =
+        ball(glm::dvec3(random.uniform(-800, 800), random.uniform(0, 400), random.uniform(-500, 500)),
+             static_cast<float>(random.uniform(5, 120)), 0.03f);
     puff.sigma.y *= 0.4f;
-    puff.rotation = glm::angleAxis(static_cast<float>(random.uniform(0, 3)), glm::normalize(glm::vec3(1, 2, 3)));
+    puff.rotation =
+        glm::angleAxis(static_cast<float>(random.uniform(0, 3)), glm::normalize(glm::vec3(1, 2, 3)));
     puffs.push_back(puff);
     area += shape::extinctionArea(puff);
   }

@@ -33,12 +33,14 @@ std::vector<shape::Puff> block(float extinction) {
   return puffs;
 }
 
-std::vector<PuffLight> shaded(const std::vector<shape::Puff>& puffs, const Lighting& lighting, float shading = 1) {
+std::vector<PuffLight> shaded(const std::vector<shape::Puff>& puffs, const Lighting& lighting,
+                              float shading = 1) {
   return shadePuffs(puffs, ExtinctionGrid(puffs, 40), lighting, shading);
 }
 
 template <class Choice>
-float meanLuminance(const std::vector<shape::Puff>& puffs, const std::vector<PuffLight>& lights, Choice&& choice) {
+float meanLuminance(const std::vector<shape::Puff>& puffs, const std::vector<PuffLight>& lights,
+                    Choice&& choice) {
   float sum = 0, count = 0;
   for (std::size_t i = 0; i < puffs.size(); ++i)
     if (choice(puffs[i])) sum += luminance(lights[i].color), ++count;
@@ -85,9 +87,8 @@ TEST(Shade, TheSunFromTheOtherSideMirrors) {
 TEST(Shade, AThinCloudIsNearlyUniform) {
   const auto puffs = block(2e-5f);
   const auto lights = shaded(puffs, lightingOf(120, 40), 0.2f);
-  const auto [darkest, brightest] = std::minmax_element(lights.begin(), lights.end(), [](auto& a, auto& b) {
-    return luminance(a.color) < luminance(b.color);
-  });
+  const auto [darkest, brightest] = std::minmax_element(
+      lights.begin(), lights.end(), [](auto& a, auto& b) { return luminance(a.color) < luminance(b.color); });
   EXPECT_LT(luminance(brightest->color), 1.25f * luminance(darkest->color));
 }
 
@@ -123,7 +124,9 @@ class EveryGenusLit : public testing::TestWithParam<base::Genus> {
     const shape::Recipe recipe = test::recipeOf(GetParam());
     shape::ShapeRequest wanted;
     wanted.depthMeters = std::sqrt(recipe.thicknessMeters.low * recipe.thicknessMeters.high);
-    wanted.widthMeters = wanted.depthMeters * (recipe.form == shape::Form::Heap ? 0.9 : recipe.form == shape::Form::Tower ? 1.9 : 20);
+    wanted.widthMeters = wanted.depthMeters * (recipe.form == shape::Form::Heap    ? 0.9
+                                               : recipe.form == shape::Form::Tower ? 1.9
+                                                                                   : 20);
     wanted.opticalDepth = recipe.opticalDepth;
     wanted.puffs = 600;
     return shape::generate(recipe, wanted).puffs;

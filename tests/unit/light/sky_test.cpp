@@ -66,7 +66,8 @@ TEST(Sun, IsRedderAndDimmerTheLowerItStands) {
 }
 
 TEST(Sky, IsBlueByDayWarmAtSunsetAndDarkAtNight) {
-  const Sky noon = skyUnder(sunFrom(180, 60)), sunset = skyUnder(sunFrom(270, 1)), night = skyUnder(sunFrom(0, -40));
+  const Sky noon = skyUnder(sunFrom(180, 60)), sunset = skyUnder(sunFrom(270, 1)),
+            night = skyUnder(sunFrom(0, -40));
   EXPECT_GT(noon.zenith.b, noon.zenith.r);
   EXPECT_GT(sunset.horizon.r, sunset.horizon.b);
   EXPECT_LT(night.zenith.b, 0.1f * noon.zenith.b);

@@ -40,7 +40,8 @@ TEST(Location, ASlabHasItsKnownBaseTopCoverAndDepth) {
   EXPECT_EQ(layer.surfaceMeters, 120);
   EXPECT_EQ(layer.kIndexC, 25);
   EXPECT_FLOAT_EQ(layer.fraction, 0.5f);
-  // Grid-mean optical depth 0.5*0.02*500 + 0.25*0.04*500 = 10 of liquid, 0.25*0.01*500 + 0.5*0.02*500 = 6.25 of ice.
+  // Grid-mean optical depth 0.5*0.02*500 + 0.25*0.04*500 = 10 of liquid, 0.25*0.01*500 + 0.5*0.02*500 = 6.25
+  // of ice.
   EXPECT_NEAR(layer.liquidOpticalDepth, 10 / 0.5, 1e-4);
   EXPECT_NEAR(layer.iceOpticalDepth, 6.25 / 0.5, 1e-4);
   EXPECT_FLOAT_EQ(layer.baseTemperatureK, 284);

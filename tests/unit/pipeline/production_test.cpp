@@ -36,7 +36,8 @@ test::MadeSource mixedSky() {
 
 Produced produced(const test::MadeSource& source, const Options& options) {
   test::MadeTable made(source, options);
-  scene::Scene scene = produce(made.table, locateOrigin(source, options), options, made.general, source.info().validTime, {});
+  scene::Scene scene =
+      produce(made.table, locateOrigin(source, options), options, made.general, source.info().validTime, {});
   return {std::move(made), std::move(scene)};
 }
 
@@ -51,7 +52,8 @@ TEST(Production, EveryCloudIsAnInstanceOfItsOwnPlaceAndGenus) {
   std::set<std::uint64_t> ids;
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     const field::Cloud& cloud = made.table.clouds[i];
-    const glm::dvec3 place = scene.frame.toScene(cloud.longitudeDegrees, cloud.latitudeDegrees, cloud.baseMeters);
+    const glm::dvec3 place =
+        scene.frame.toScene(cloud.longitudeDegrees, cloud.latitudeDegrees, cloud.baseMeters);
     EXPECT_LT(glm::distance(glm::dvec3(scene.instances[i].position), place), 0.1);
     EXPECT_EQ(archetypeOf(scene, scene.instances[i]).genus, scene.clouds[i].genus);
     EXPECT_EQ(scene.clouds[i].rule, "stated");
@@ -73,7 +75,8 @@ TEST(Production, DepthAndWaterOfEveryCloudAreExact) {
     EXPECT_NEAR(nominal / wanted, 1, 1e-4);
     // And what is drawn: the puffs' extinction (Cu, Ac and Ci do not rain).
     double area = 0;
-    for (const shape::Puff& puff : archetype.puffs) area += shape::extinctionArea(scene::placed(scene, instance, puff));
+    for (const shape::Puff& puff : archetype.puffs)
+      area += shape::extinctionArea(scene::placed(scene, instance, puff));
     EXPECT_NEAR(area / wanted, 1, 2e-3);
   }
 }
@@ -101,9 +104,9 @@ TEST(Production, ElementsAreTurnedIntoTheWind) {
     const float yaw = scene::yawRadians(scene.lit[scene.instances.at(0).lit].yawStep);
     return glm::vec2(std::cos(yaw), -std::sin(yaw));  // (x, z) of the element's own x axis
   };
-  EXPECT_LT(glm::distance(headingOf(30, 0), glm::vec2(1, 0)), 0.01f);     // westerly: east
-  EXPECT_LT(glm::distance(headingOf(-30, 0), glm::vec2(-1, 0)), 0.01f);   // easterly
-  EXPECT_LT(glm::distance(headingOf(0, 30), glm::vec2(0, -1)), 0.01f);    // southerly: north is -z
+  EXPECT_LT(glm::distance(headingOf(30, 0), glm::vec2(1, 0)), 0.01f);    // westerly: east
+  EXPECT_LT(glm::distance(headingOf(-30, 0), glm::vec2(-1, 0)), 0.01f);  // easterly
+  EXPECT_LT(glm::distance(headingOf(0, 30), glm::vec2(0, -1)), 0.01f);   // southerly: north is -z
   EXPECT_LT(glm::distance(headingOf(20, -20), std::sqrt(0.5f) * glm::vec2(1, 1)), 0.01f);
 }
 
@@ -120,7 +123,8 @@ TEST(Production, EveryPuffHasItsLight) {
     EXPECT_EQ(lit.puffs.size(), scene.archetypes[lit.archetype].puffs.size());
     EXPECT_EQ(lit.farPuffs.size(), scene.archetypes[lit.archetype].farPuffs.size());
     EXPECT_TRUE(lit.yawStep >= 0 && lit.yawStep < scene::kYawSteps);
-    for (const light::PuffLight& light : lit.puffs) ASSERT_TRUE(std::isfinite(light.color.r + light.color.g + light.color.b));
+    for (const light::PuffLight& light : lit.puffs)
+      ASSERT_TRUE(std::isfinite(light.color.r + light.color.g + light.color.b));
   }
   EXPECT_LT(scene.archetypes.size(), scene.instances.size());
 }
@@ -155,7 +159,8 @@ TEST(Production, StopsWhenTheUserWants) {
   const test::MadeTable made(source, options);
   base::Progress progress;
   progress.cancelled = [] { return true; };
-  EXPECT_THROW(produce(made.table, locateOrigin(source, options), options, made.general, {}, progress), base::InterruptedError);
+  EXPECT_THROW(produce(made.table, locateOrigin(source, options), options, made.general, {}, progress),
+               base::InterruptedError);
 }
 
 }  // namespace

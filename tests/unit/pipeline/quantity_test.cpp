@@ -25,7 +25,8 @@ Placed placesOf(const field::CloudTable& table) {
 }
 
 TEST(Quantity, FootprintsAddUpToTheCover) {
-  for (const field::TypedLayer& layer : {test::cumulusLayer(), test::stratocumulusLayer(), test::stratocumulusLayer(1)}) {
+  for (const field::TypedLayer& layer :
+       {test::cumulusLayer(), test::stratocumulusLayer(), test::stratocumulusLayer(1)}) {
     const test::MadeSource source = sky(layer);
     const test::MadeTable made(source, test::usualOptions(100'000));
     std::map<std::uint32_t, double> covered, largest;
@@ -34,7 +35,8 @@ TEST(Quantity, FootprintsAddUpToTheCover) {
       largest[cloud.layer] = std::max(largest[cloud.layer], cloud.coversSquareMeters);
     }
     for (std::uint32_t i = 0; i < made.table.layers.size(); ++i) {
-      const double expected = layer.coverFraction * field::cellAreaSquareMeters(source.grid(), made.table.layers[i].cell);
+      const double expected =
+          layer.coverFraction * field::cellAreaSquareMeters(source.grid(), made.table.layers[i].cell);
       EXPECT_NEAR(covered[i], expected, 1.01 * largest[i]);
     }
   }
@@ -42,7 +44,8 @@ TEST(Quantity, FootprintsAddUpToTheCover) {
 
 // Cells smaller than what one cloud covers have one only now and then; over many cells the cover is right.
 TEST(Quantity, CellsSmallerThanACloudAddUpToo) {
-  for (const field::TypedLayer& layer : {test::cumulusLayer(0.2f), test::stratocumulusLayer(0.3f), test::stratocumulusLayer(1)}) {
+  for (const field::TypedLayer& layer :
+       {test::cumulusLayer(0.2f), test::stratocumulusLayer(0.3f), test::stratocumulusLayer(1)}) {
     test::MadeSource source(10, 46, 0.01, 60, 60);
     source.cover(layer);
     const test::MadeTable made(source, test::usualOptions(100'000'000));
@@ -72,7 +75,9 @@ TEST(Quantity, ASmallerBoxHasTheSameCloudsAtTheSamePlaces) {
     options.box = base::GeoBox{10.7, 46.2, 11.6, 47.1};
     const test::MadeTable part(source, options, whole.general);
     Placed expected = placesOf(whole.table);
-    std::erase_if(expected, [&](auto& entry) { return !options.box->contains(entry.second.first, entry.second.second); });
+    std::erase_if(expected, [&](auto& entry) {
+      return !options.box->contains(entry.second.first, entry.second.second);
+    });
     EXPECT_FALSE(expected.empty());
     EXPECT_LT(expected.size(), whole.table.clouds.size());
     EXPECT_EQ(placesOf(part.table), expected);
@@ -92,7 +97,8 @@ TEST(Quantity, TheOrderOfTheLayersDoesNotMatter) {
   const test::MadeSource source = sky(test::cumulusLayer());
   std::vector<field::TypedLayer> backwards(source.layers.rbegin(), source.layers.rend());
   const Options options = test::usualOptions(50'000);
-  EXPECT_EQ(placesOf(test::MadeTable(source, options, backwards).table), placesOf(test::MadeTable(source, options).table));
+  EXPECT_EQ(placesOf(test::MadeTable(source, options, backwards).table),
+            placesOf(test::MadeTable(source, options).table));
 }
 
 TEST(Quantity, ClearCellsHaveNoClouds) {

@@ -12,7 +12,8 @@ namespace cloudgen::pipeline {
 namespace {
 
 bool mentions(const std::vector<std::string>& warnings, const std::string& word) {
-  return std::any_of(warnings.begin(), warnings.end(), [&](auto& line) { return line.find(word) != std::string::npos; });
+  return std::any_of(warnings.begin(), warnings.end(),
+                     [&](auto& line) { return line.find(word) != std::string::npos; });
 }
 
 TEST(Run, FromStatedLayersToAScene) {
@@ -37,6 +38,12 @@ TEST(Run, AClearSkyIsASceneWithAWarning) {
   const Outcome outcome = run(source, test::usualOptions(), {});
   EXPECT_TRUE(outcome.scene.instances.empty());
   EXPECT_TRUE(mentions(outcome.warnings, "clear"));
+}
+
+TEST(Run, AnOverdrawnBudgetIsSaid) {
+  test::MadeSource source(10, 46, 0.5, 2, 2);
+  source.cover(test::cumulusLayer());
+  EXPECT_TRUE(mentions(run(source, test::usualOptions(10), {}).warnings, "too small"));
 }
 
 TEST(Run, StopsWhenTheUserWants) {
@@ -64,9 +71,9 @@ class RealModel : public testing::Test {
       ASSERT_GT(cloud.topMeters, cloud.baseMeters);
       ASSERT_LT(cloud.topMeters, 22000);
       ASSERT_TRUE(std::isfinite(cloud.opticalDepth) && cloud.opticalDepth > 0);
-      if (cloud.genus == base::Genus::Cirrus) EXPECT_GT(cloud.baseMeters, 3500);
-      if (cloud.genus == base::Genus::Stratus) EXPECT_LT(cloud.topMeters, 5000);
-      if (cloud.genus == base::Genus::Cumulonimbus) EXPECT_GT(cloud.topMeters, 5000);
+      EXPECT_TRUE(cloud.genus != base::Genus::Cirrus || cloud.baseMeters > 3500);
+      EXPECT_TRUE(cloud.genus != base::Genus::Stratus || cloud.topMeters < 5000);
+      EXPECT_TRUE(cloud.genus != base::Genus::Cumulonimbus || cloud.topMeters > 5000);
     }
   }
 };
@@ -81,16 +88,10 @@ TEST_F(RealModel, GlobalForecastOverEurope) {
   std::map<base::Genus, int> genera;
   for (const scene::CloudRecord& cloud : outcome.scene.clouds) ++genera[cloud.genus];
   EXPECT_GE(genera.size(), 4u);
-  EXPECT_TRUE(std::any_of(outcome.derived.begin(), outcome.derived.end(), [](auto& made) { return made.first == "liquid and ice"; }));
-  EXPECT_TRUE(std::any_of(outcome.derived.begin(), outcome.derived.end(), [](auto& made) { return made.first == "cloud fraction"; }));
-}
-
-TEST_F(RealModel, RegionalForecastOnALambertGrid) {
-  if (!std::filesystem::exists(data("ruc13_g212_2005080700_f12.grb"))) GTEST_SKIP() << "../shared is not there";
-  const auto source = input::open({data("ruc13_g212_2005080700_f12.grb")});
-  Options options = test::usualOptions(60'000);
-  options.box = base::GeoBox{-100, 32, -90, 40};
-  expectWholeScene(run(*source, options, {}), 60'000);
+  EXPECT_TRUE(std::any_of(outcome.derived.begin(), outcome.derived.end(),
+                          [](auto& made) { return made.first == "liquid and ice"; }));
+  EXPECT_TRUE(std::any_of(outcome.derived.begin(), outcome.derived.end(),
+                          [](auto& made) { return made.first == "cloud fraction"; }));
 }
 
 }  // namespace

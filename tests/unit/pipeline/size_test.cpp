@@ -39,7 +39,8 @@ TEST(Size, CloudsOfALayerShareItsBaseAndStayWithinIt) {
 
 TEST(Size, HeapsAreOfManySizesMostlySmall) {
   const test::MadeTable sky = made(test::cumulusLayer());
-  const double mean = meanWidthMeters(sky.general, test::usualOptions().recipes.of(base::Genus::Cumulus), 1000);
+  const double mean =
+      meanWidthMeters(sky.general, test::usualOptions().recipes.of(base::Genus::Cumulus), 1000);
   std::set<float> widths;
   std::size_t small = 0;
   for (const field::Cloud& cloud : sky.table.clouds) {
@@ -54,7 +55,8 @@ TEST(Size, HeapsAreOfManySizesMostlySmall) {
 
 TEST(Size, ElementsOfASheetAreAlike) {
   std::set<float> widths;
-  for (const field::Cloud& cloud : made(test::stratocumulusLayer()).table.clouds) widths.insert(cloud.widthMeters);
+  for (const field::Cloud& cloud : made(test::stratocumulusLayer()).table.clouds)
+    widths.insert(cloud.widthMeters);
   EXPECT_EQ(widths.size(), 1u);
 }
 

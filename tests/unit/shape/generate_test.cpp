@@ -41,8 +41,8 @@ double totalArea(const CloudShape& cloud) {
 }
 
 bool finite(const Puff& puff) {
-  const float sum = puff.center.x + puff.center.y + puff.center.z + puff.sigma.x + puff.sigma.y + puff.sigma.z +
-                    puff.rotation.w + puff.rotation.x + puff.rotation.y + puff.rotation.z +
+  const float sum = puff.center.x + puff.center.y + puff.center.z + puff.sigma.x + puff.sigma.y +
+                    puff.sigma.z + puff.rotation.w + puff.rotation.x + puff.rotation.y + puff.rotation.z +
                     puff.extinctionPerMeter;
   return std::isfinite(sum) && std::min({puff.sigma.x, puff.sigma.y, puff.sigma.z}) > 0 &&
          puff.extinctionPerMeter >= 0;
@@ -114,7 +114,8 @@ TEST_P(EveryGenus, StandsOnItsBaseAndKeepsItsDepth) {
     EXPECT_GE(puff.center.y, -0.05 * wanted.depthMeters);
     EXPECT_LE(puff.center.y, 1.25 * wanted.depthMeters);
     all += extinctionArea(puff);
-    if (puff.center.y - sigmaY > -0.05 * wanted.depthMeters && puff.center.y + sigmaY < 1.1 * wanted.depthMeters)
+    if (puff.center.y - sigmaY > -0.05 * wanted.depthMeters &&
+        puff.center.y + sigmaY < 1.1 * wanted.depthMeters)
       within += extinctionArea(puff);
   }
   EXPECT_GT(within, 0.9 * all);
@@ -184,7 +185,8 @@ TEST_P(EveryGenus, SheetsFadeAtTheirBorder) {
     (q < 0.6 ? inner : q < 1 ? outer : beyond) += extinctionArea(puff);
     all += extinctionArea(puff);
   }
-  // Optical depth over equal ground: the rim is thinner than the middle, and little lies outside the footprint.
+  // Optical depth over equal ground: the rim is thinner than the middle, and little lies outside the
+  // footprint.
   EXPECT_GT(inner / 0.36, outer / 0.64);
   EXPECT_LT(beyond, 0.25 * all);
 }

@@ -100,7 +100,7 @@ TEST(Placement, LiteralFormulasAreThoseOfTheThesis) {
     for (const glm::dvec3& point : placed(system, PlacementVariant::Literal, 20)) {
       const double theta = kTau * u.uniform(), phi = widest * u.uniform(), r = 30 * u.uniform();
       const glm::dvec3 byHand(r * std::cos(theta) * std::sin(phi), r * std::cos(phi),
-                               r * std::sin(theta) * std::sin(phi));
+                              r * std::sin(theta) * std::sin(phi));
       EXPECT_LT(glm::distance(point, byHand), 1e-9);
     }
   }
@@ -134,9 +134,8 @@ TEST(Placement, UniformConeIsFullBelow) {
 }
 
 TEST(Placement, LiteralCrowdsTheAxis) {
-  for (const CoordinateSystem system :
-       {CoordinateSystem::Cylindrical, CoordinateSystem::Conical, CoordinateSystem::Spherical,
-        CoordinateSystem::HalfSpherical})
+  for (const CoordinateSystem system : {CoordinateSystem::Cylindrical, CoordinateSystem::Conical,
+                                        CoordinateSystem::Spherical, CoordinateSystem::HalfSpherical})
     EXPECT_LT(meanOf(placed(system, PlacementVariant::Literal, 5000), fromAxis),
               0.85 * meanOf(placed(system, PlacementVariant::Uniform, 5000), fromAxis));
 }

@@ -17,8 +17,8 @@ std::vector<Puff> crowd(int count) {
     Puff puff;
     puff.center = glm::dvec3(random.uniform(-900, 900), random.uniform(0, 500), random.uniform(-300, 300));
     puff.sigma = glm::dvec3(random.uniform(20, 90), random.uniform(10, 40), random.uniform(20, 60));
-    puff.rotation =
-        glm::angleAxis(static_cast<float>(random.uniform(0, 6)), glm::vec3(glm::normalize(random.direction())));
+    puff.rotation = glm::angleAxis(static_cast<float>(random.uniform(0, 6)),
+                                   glm::vec3(glm::normalize(random.direction())));
     puff.extinctionPerMeter = static_cast<float>(random.uniform(0.01, 0.06));
     puffs.push_back(puff);
   }
