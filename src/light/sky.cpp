@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "light/sky.hpp"
 
+#include <libnova/precession.h>
 #include <libnova/solar.h>
 #include <libnova/transform.h>
 
@@ -38,10 +39,12 @@ Sun sunFrom(double azimuthDegrees, double elevationDegrees) {
 
 Sun sunAt(base::UtcTime time, double longitudeDegrees, double latitudeDegrees) {
   ln_lnlat_posn observer{longitudeDegrees, latitudeDegrees};
-  ln_equ_posn equatorial{};
+  ln_equ_posn atJ2000{}, equatorial{};
   ln_hrz_posn horizontal{};
   const double day = base::julianDay(time);
-  ln_get_solar_equ_coords(day, &equatorial);
+  // libnova's sun is of the equinox J2000; the sky turns about today's pole (50 arc seconds a year).
+  ln_get_solar_equ_coords(day, &atJ2000);
+  ln_get_equ_prec(&atJ2000, day, &equatorial);
   ln_get_hrz_from_equ(&equatorial, &observer, day, &horizontal);
   // libnova counts azimuth from the south, westwards.
   return sunFrom(std::fmod(horizontal.az + 180.0, 360.0), horizontal.alt);

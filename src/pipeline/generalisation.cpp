@@ -74,7 +74,8 @@ Generalisation generalise(const field::Grid& grid, std::span<const field::Layer>
     }
     return puffs;
   };
-  const double budget = static_cast<double>(options.maxPuffs);
+  // Where clouds as wide as they may be still take more than the budget, they need not be wider than that takes.
+  const double budget = std::max(static_cast<double>(options.maxPuffs), 1.001 * coarsestPuffs(1000));
   double enough = 1;
   if (coarsestPuffs(1) > budget) {
     double tooFew = 1;

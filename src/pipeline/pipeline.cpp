@@ -74,6 +74,9 @@ Outcome run(const field::Source& source, const Options& options, const base::Pro
   if (general.enlargement > 1.01)
     outcome.warnings.push_back(fmt::format("the puff budget of {} draws clouds {:.1f} times as wide as natural, and fewer; raise --max-puffs or take a smaller --bbox for natural sizes",
                                            options.maxPuffs, general.enlargement));
+  const std::uint64_t drawn = scene::drawnPuffs(outcome.scene);
+  if (static_cast<double>(drawn) > 1.5 * static_cast<double>(options.maxPuffs))
+    outcome.warnings.push_back(fmt::format("the puff budget of {} is too small for this sky, {} puffs are drawn; take a smaller --bbox", options.maxPuffs, drawn));
   if (table.clouds.empty()) outcome.warnings.push_back("the model has no cloud in this box: the sky is clear");
   return outcome;
 }

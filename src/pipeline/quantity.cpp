@@ -98,11 +98,18 @@ void placeClouds(const field::Grid& grid, const Options& options, const Generali
     const double width = meanWidthMeters(general, recipe, layer.depthMeters());
     const double area = layer.fraction * field::cellAreaSquareMeters(grid, layer.cell);
     const double expected = area / coveredSquareMeters(recipe, width);
-    const int count = wholeCount(expected, options.seed, layer);
-    auto candidates = recipe.sheet ? lattice(grid, layer, expected, width, options.seed) : scattered(grid, layer, count, width, options.seed);
-    keepHighest(candidates, recipe.sheet ? static_cast<size_t>(std::lround(layer.fraction * static_cast<double>(candidates.size()))) : static_cast<size_t>(count));
-    // What one cloud must cover so that all of them cover fraction times area.
-    const double covers = candidates.empty() ? 0 : area / static_cast<double>(candidates.size());
+    std::vector<Candidate> candidates;
+    double mean = expected;
+    if (recipe.sheet) {
+      candidates = lattice(grid, layer, expected, width, options.seed);
+      mean = layer.fraction * static_cast<double>(candidates.size());
+    }
+    const int count = wholeCount(mean, options.seed, layer);
+    if (!recipe.sheet) candidates = scattered(grid, layer, count, width, options.seed);
+    keepHighest(candidates, static_cast<size_t>(count));
+    // What one cloud must cover so that all of them cover fraction times area; where a cell has a cloud only now and
+    // then, those of many cells do.
+    const double covers = mean < 1 ? area / mean : area / count;
     for (const Candidate& candidate : candidates) {
       if (!box.contains(candidate.place.longitudeDegrees, candidate.place.latitudeDegrees)) continue;
       field::Cloud cloud;

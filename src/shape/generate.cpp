@@ -38,6 +38,7 @@ CloudShape generate(const Recipe& recipe, const ShapeRequest& request) {
   RawShape raw = rawShape(recipe, request);
   const double footprint = footprintSquareMeters(request.widthMeters);
   scaleExtinction(raw.puffs, request.opticalDepth * footprint / totalExtinctionArea(raw.puffs));
+  if (recipe.precipitation <= 0) raw.precipitation.clear();
   if (!raw.precipitation.empty())
     scaleExtinction(raw.precipitation, recipe.precipitation * request.opticalDepth * footprint * 0.05 / totalExtinctionArea(raw.precipitation));
 

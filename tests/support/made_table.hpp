@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "pipeline/generalisation.hpp"
+#include "pipeline/location.hpp"
+#include "pipeline/quantity.hpp"
+#include "pipeline/size.hpp"
+#include "support/made_source.hpp"
+
+namespace cloudgen::test {
+
+/// The whole table of a made model: steps 2 to 5.
+struct MadeTable {
+  MadeTable(const MadeSource& source, const pipeline::Options& options)
+      : MadeTable(source, options, source.layers) {}
+  MadeTable(const MadeSource& source, const pipeline::Options& options,
+            std::span<const field::TypedLayer> layers) {
+    const base::GeoBox box = options.box.value_or(field::extent(source.grid()));
+    table.layers = pipeline::locateLayers(source.grid(), layers);
+    general = pipeline::generalise(source.grid(), table.layers, options, box);
+    finish(source, options, box);
+  }
+  /// With a generalisation that was decided before.
+  MadeTable(const MadeSource& source, const pipeline::Options& options, const pipeline::Generalisation& given)
+      : general(given) {
+    table.layers = pipeline::locateLayers(source.grid(), source.layers);
+    finish(source, options, options.box.value_or(field::extent(source.grid())));
+  }
+
+  pipeline::Generalisation general;
+  field::CloudTable table;
+
+ private:
+  void finish(const MadeSource& source, const pipeline::Options& options, const base::GeoBox& box) {
+    pipeline::placeClouds(source.grid(), options, general, box, table);
+    pipeline::sizeClouds(options, general, table);
+  }
+};
+
+}  // namespace cloudgen::test

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <set>
+
+#include "base/data_dir.hpp"
+#include "base/error.hpp"
+#include "image/sprite_atlas.hpp"
+#include "image/sprite_bake.hpp"
+#include "support/read_png.hpp"
+#include "support/scratch.hpp"
+
+namespace cloudgen::image {
+namespace {
+
+std::filesystem::path textures() { return base::dataDir() / "textures"; }
+
+/// Alpha is the last channel, whatever the others are.
+int alphaAt(const ByteImage& image, int x, int y) {
+  return image.bytes[static_cast<std::size_t>((y * image.width + x + 1) * image.channels - 1)];
+}
+
+TEST(Sprites, EveryGenusHasAnAtlas) {
+  const auto atlases = readSpriteManifest(textures());
+  std::set<std::string> files;
+  for (const base::Genus genus : base::allGenera()) {
+    const SpriteAtlas& atlas = atlasOf(atlases, genus);
+    EXPECT_EQ(atlas.genus, genus);
+    EXPECT_EQ(atlas.tiles(), 16);
+    EXPECT_TRUE(std::filesystem::is_regular_file(textures() / atlas.file)) << atlas.file;
+    files.insert(atlas.file);
+  }
+  EXPECT_EQ(files.size(), static_cast<std::size_t>(base::kGenusCount));
+}
+
+TEST(Sprites, TilesEndTransparentAndAreOpaqueInside) {
+  for (const SpriteAtlas& atlas : readSpriteManifest(textures())) {
+    const ByteImage image = test::readPng(textures() / atlas.file);
+    ASSERT_EQ(image.width, 512) << atlas.file;
+    ASSERT_EQ(image.height, 512) << atlas.file;
+    ASSERT_TRUE(image.channels == 2 || image.channels == 4) << atlas.file;
+    const int side = atlas.tilePixels;
+    int opaquest = 0;
+    for (int y = 0; y < 512; ++y)
+      for (int x = 0; x < 512; ++x) {
+        const int alpha = alphaAt(image, x, y);
+        opaquest = std::max(opaquest, alpha);
+        const bool onBorder = x % side == 0 || x % side == side - 1 || y % side == 0 || y % side == side - 1;
+        ASSERT_TRUE(!onBorder || alpha == 0) << atlas.file << ' ' << x << ' ' << y;
+        if (alpha > 0) continue;
+        for (int c = 0; c + 1 < image.channels; ++c)
+          ASSERT_GT(image.bytes[static_cast<std::size_t>((y * 512 + x) * image.channels + c)], 30)
+              << atlas.file;
+      }
+    EXPECT_GT(opaquest, 0.9 * 255) << atlas.file;
+  }
+}
+
+TEST(Sprites, TheCommittedSetIsWhatIsBaked) {
+  const ByteImage committed = test::readPng(textures() / "cumulus.png"),
+                  baked = bakeSprites(base::Genus::Cumulus);
+  EXPECT_EQ(baked.channels, committed.channels);
+  EXPECT_TRUE(baked.bytes == committed.bytes) << "make the set again with: cloudgen textures -o textures";
+}
+
+TEST(Sprites, TextureBoxesLieInsideTheirTiles) {
+  const SpriteAtlas atlas{base::Genus::Cumulus, "a.png", 4, 2, 64};
+  for (int tile = 0; tile < atlas.tiles(); ++tile) {
+    const glm::vec4 box = atlas.textureBox(tile);
+    const float left = static_cast<float>(tile % 4) / 4, top = 1 - static_cast<float>(tile / 4) / 2;
+    EXPECT_FLOAT_EQ(box.x, left + 0.5f / 256);
+    EXPECT_FLOAT_EQ(box.z, left + 0.25f - 0.5f / 256);
+    EXPECT_FLOAT_EQ(box.w, top - 0.5f / 128);
+    EXPECT_FLOAT_EQ(box.y, top - 0.5f + 0.5f / 128);
+  }
+}
+
+TEST(Sprites, ABrokenManifestIsRefused) {
+  const test::Scratch folder;
+  EXPECT_THROW(readSpriteManifest(folder.path()), base::InputError);
+  for (const char* text : {"", "[]", "{\"atlases\": []}",
+                           "{\"atlases\": [{\"genus\": \"Xy\", \"file\": \"a.png\", \"columns\": 1, "
+                           "\"rows\": 1, \"tile_pixels\": 8}]}",
+                           "{\"atlases\": [{\"genus\": \"Cu\", \"file\": \"../a.png\", \"columns\": 1, "
+                           "\"rows\": 1, \"tile_pixels\": 8}]}",
+                           "{\"atlases\": [{\"genus\": \"Cu\", \"file\": \"a.png\", \"columns\": 0, "
+                           "\"rows\": 1, \"tile_pixels\": 8}]}"}) {
+    folder.write("manifest.json", text);
+    EXPECT_THROW(readSpriteManifest(folder.path()), base::InputError) << text;
+  }
+}
+
+}  // namespace
+}  // namespace cloudgen::image

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "light/shade.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "shape/generate.hpp"
+#include "support/all_recipes.hpp"
+
+namespace cloudgen::light {
+namespace {
+
+float luminance(const glm::vec3& color) { return glm::dot(color, glm::vec3(0.2126f, 0.7152f, 0.0722f)); }
+
+Lighting lightingOf(double azimuth, double elevation) {
+  const Sun sun = sunFrom(azimuth, elevation);
+  return {sun.direction, sun.color, skyUnder(sun)};
+}
+
+/// A block of puffs, the same seen from east and west, north and south.
+std::vector<shape::Puff> block(float extinction) {
+  std::vector<shape::Puff> puffs;
+  for (int z = -4; z <= 4; ++z)
+    for (int y = 0; y < 5; ++y)
+      for (int x = -4; x <= 4; ++x) {
+        shape::Puff puff;
+        puff.center = 120.0f * glm::vec3(x, y, z);
+        puff.sigma = glm::vec3(80);
+        puff.extinctionPerMeter = extinction;
+        puffs.push_back(puff);
+      }
+  return puffs;
+}
+
+std::vector<PuffLight> shaded(const std::vector<shape::Puff>& puffs, const Lighting& lighting,
+                              float shading = 1) {
+  return shadePuffs(puffs, ExtinctionGrid(puffs, 40), lighting, shading);
+}
+
+template <class Choice>
+float meanLuminance(const std::vector<shape::Puff>& puffs, const std::vector<PuffLight>& lights,
+                    Choice&& choice) {
+  float sum = 0, count = 0;
+  for (std::size_t i = 0; i < puffs.size(); ++i)
+    if (choice(puffs[i])) sum += luminance(lights[i].color), ++count;
+  return sum / count;
+}
+
+TEST(Shade, ScatteredShareFallsFromOneToNothing) {
+  EXPECT_FLOAT_EQ(scatteredShare(0), 1);
+  float last = 1;
+  for (float tau = 0.25f; tau < 2000; tau *= 1.5f) {
+    EXPECT_LT(scatteredShare(tau), last);
+    last = scatteredShare(tau);
+  }
+  EXPECT_GE(last, 0);
+  // By hand at tau = 1: sum of 2^-i exp(-2^-i) over 8 octaves, divided by 2 - 2^-7.
+  double byHand = 0;
+  for (int i = 0; i < 8; ++i) byHand += std::ldexp(1.0, -i) * std::exp(-std::ldexp(1.0, -i));
+  EXPECT_NEAR(scatteredShare(1), byHand / (2 - std::ldexp(1.0, -7)), 1e-5);
+}
+
+TEST(Shade, TheSunlitSideIsBrighter) {
+  const auto puffs = block(0.02f);
+  const auto lights = shaded(puffs, lightingOf(90, 20));
+  const float lit = meanLuminance(puffs, lights, [](auto& p) { return p.center.x > 400; });
+  const float shadow = meanLuminance(puffs, lights, [](auto& p) { return p.center.x < -400; });
+  EXPECT_GT(lit, 1.5f * shadow);
+  const auto noon = shaded(puffs, lightingOf(180, 90));
+  EXPECT_GT(meanLuminance(puffs, noon, [](auto& p) { return p.center.y > 400; }),
+            1.3f * meanLuminance(puffs, noon, [](auto& p) { return p.center.y < 100; }));
+}
+
+TEST(Shade, TheSunFromTheOtherSideMirrors) {
+  const auto puffs = block(0.02f);
+  const auto east = shaded(puffs, lightingOf(90, 30)), west = shaded(puffs, lightingOf(270, 30));
+  for (std::size_t i = 0; i < puffs.size(); ++i) {
+    const auto mirrored = std::find_if(puffs.begin(), puffs.end(), [&](auto& p) {
+      return p.center == puffs[i].center * glm::vec3(-1, 1, 1);
+    });
+    const auto& other = west[static_cast<std::size_t>(mirrored - puffs.begin())];
+    EXPECT_NEAR(luminance(east[i].color), luminance(other.color), 0.05);
+  }
+}
+
+TEST(Shade, AThinCloudIsNearlyUniform) {
+  const auto puffs = block(2e-5f);
+  const auto lights = shaded(puffs, lightingOf(120, 40), 0.2f);
+  const auto [darkest, brightest] = std::minmax_element(
+      lights.begin(), lights.end(), [](auto& a, auto& b) { return luminance(a.color) < luminance(b.color); });
+  EXPECT_LT(luminance(brightest->color), 1.25f * luminance(darkest->color));
+}
+
+TEST(Shade, NoShadingIsFlat) {
+  const auto puffs = block(0.003f);
+  const auto spread = [&](float shading) {
+    const auto lights = shaded(puffs, lightingOf(120, 40), shading);
+    const auto [a, b] = std::minmax_element(lights.begin(), lights.end(), [](auto& p, auto& q) {
+      return luminance(p.color) < luminance(q.color);
+    });
+    return luminance(b->color) / luminance(a->color);
+  };
+  EXPECT_LT(spread(0), spread(0.5f));
+  EXPECT_LT(spread(0.5f), spread(1));
+}
+
+TEST(Shade, LookingTowardsTheSunOnlyThinEdgesShine) {
+  const auto puffs = block(0.02f);
+  const auto lights = shaded(puffs, lightingOf(90, 5));
+  float edge = 0, deep = 1;
+  for (std::size_t i = 0; i < puffs.size(); ++i)
+    if (puffs[i].center.y == 240 && puffs[i].center.z == 0) {
+      if (puffs[i].center.x > 470) edge = lights[i].forward;
+      if (puffs[i].center.x < -470) deep = lights[i].forward;
+    }
+  EXPECT_GT(edge, deep);
+  EXPECT_LT(deep, 0.01f);
+}
+
+class EveryGenusLit : public testing::TestWithParam<base::Genus> {
+ protected:
+  std::vector<shape::Puff> puffs() const {
+    const shape::Recipe recipe = test::recipeOf(GetParam());
+    shape::ShapeRequest wanted;
+    wanted.depthMeters = std::sqrt(recipe.thicknessMeters.low * recipe.thicknessMeters.high);
+    wanted.widthMeters = wanted.depthMeters * (recipe.form == shape::Form::Heap    ? 0.9
+                                               : recipe.form == shape::Form::Tower ? 1.9
+                                                                                   : 20);
+    wanted.opticalDepth = recipe.opticalDepth;
+    wanted.puffs = 600;
+    return shape::generate(recipe, wanted).puffs;
+  }
+};
+
+std::string genusName(const testing::TestParamInfo<base::Genus>& tested) {
+  return std::string(base::name(tested.param));
+}
+INSTANTIATE_TEST_SUITE_P(Light, EveryGenusLit, testing::ValuesIn(base::allGenera()), genusName);
+
+TEST_P(EveryGenusLit, EnergyStaysInBoundsWhereverTheSunIs) {
+  const auto cloud = puffs();
+  for (const double elevation : {-5.0, 2.0, 10.0, 45.0, 90.0})
+    for (const float shading : {0.05f, 1.0f})
+      for (const PuffLight& light : shaded(cloud, lightingOf(200, elevation), shading)) {
+        for (int c = 0; c < 3; ++c) {
+          ASSERT_TRUE(std::isfinite(light.color[c]));
+          ASSERT_GE(light.color[c], 0);
+        }
+        ASSERT_LT(luminance(light.color), 1.3f) << elevation;
+        ASSERT_TRUE(std::isfinite(light.forward) && light.forward >= 0 && light.forward < 1);
+      }
+}
+
+TEST_P(EveryGenusLit, TopsAreBrightUnderAHighSun) {
+  const auto cloud = puffs();
+  const ExtinctionGrid grid(cloud, 40);
+  const auto lights = shadePuffs(cloud, grid, lightingOf(160, 45), 1);
+  const float top = meanLuminance(cloud, lights, [&](const shape::Puff& puff) {
+    return grid.opticalDepth(puff.center, {0, 1, 0}, puff.sigma.y) < 1;
+  });
+  RecordProperty("top", std::to_string(top));
+  EXPECT_GT(top, 0.6f);
+}
+
+}  // namespace
+}  // namespace cloudgen::light

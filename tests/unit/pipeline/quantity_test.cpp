@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline/quantity.hpp"
+
+#include <map>
+
+#include "support/made_table.hpp"
+
+namespace cloudgen::pipeline {
+namespace {
+
+using Placed = std::map<std::pair<std::uint32_t, std::uint32_t>, std::pair<double, double>>;
+
+test::MadeSource sky(const field::TypedLayer& layer) {
+  test::MadeSource source(10, 46, 0.5, 6, 4);
+  source.cover(layer);
+  return source;
+}
+
+/// Place of each cloud by cell and ordinal; the layers of these tests are one a cell.
+Placed placesOf(const field::CloudTable& table) {
+  Placed places;
+  for (const field::Cloud& cloud : table.clouds)
+    places[{table.layers[cloud.layer].cell, cloud.ordinal}] = {cloud.longitudeDegrees, cloud.latitudeDegrees};
+  return places;
+}
+
+TEST(Quantity, FootprintsAddUpToTheCover) {
+  for (const field::TypedLayer& layer :
+       {test::cumulusLayer(), test::stratocumulusLayer(), test::stratocumulusLayer(1)}) {
+    const test::MadeSource source = sky(layer);
+    const test::MadeTable made(source, test::usualOptions(100'000));
+    std::map<std::uint32_t, double> covered, largest;
+    for (const field::Cloud& cloud : made.table.clouds) {
+      covered[cloud.layer] += cloud.coversSquareMeters;
+      largest[cloud.layer] = std::max(largest[cloud.layer], cloud.coversSquareMeters);
+    }
+    for (std::uint32_t i = 0; i < made.table.layers.size(); ++i) {
+      const double expected =
+          layer.coverFraction * field::cellAreaSquareMeters(source.grid(), made.table.layers[i].cell);
+      EXPECT_NEAR(covered[i], expected, 1.01 * largest[i]);
+    }
+  }
+}
+
+// Cells smaller than what one cloud covers have one only now and then; over many cells the cover is right.
+TEST(Quantity, CellsSmallerThanACloudAddUpToo) {
+  for (const field::TypedLayer& layer :
+       {test::cumulusLayer(0.2f), test::stratocumulusLayer(0.3f), test::stratocumulusLayer(1)}) {
+    test::MadeSource source(10, 46, 0.01, 60, 60);
+    source.cover(layer);
+    const test::MadeTable made(source, test::usualOptions(100'000'000));
+    double covered = 0, expected = 0;
+    for (const field::Cloud& cloud : made.table.clouds) covered += cloud.coversSquareMeters;
+    for (const field::Layer& each : made.table.layers)
+      expected += each.fraction * field::cellAreaSquareMeters(source.grid(), each.cell);
+    EXPECT_NEAR(covered / expected, 1, 0.08) << base::name(layer.genus) << ' ' << layer.coverFraction;
+  }
+}
+
+TEST(Quantity, CloudsStandInTheirCells) {
+  const test::MadeSource source = sky(test::cumulusLayer());
+  const test::MadeTable made(source, test::usualOptions(100'000));
+  for (const field::Cloud& cloud : made.table.clouds) {
+    const std::uint32_t cell = made.table.layers[cloud.layer].cell;
+    EXPECT_NEAR(cloud.longitudeDegrees, 10.25 + 0.5 * source.grid().column(cell), 0.2501);
+    EXPECT_NEAR(cloud.latitudeDegrees, 46.25 + 0.5 * source.grid().row(cell), 0.2501);
+  }
+}
+
+TEST(Quantity, ASmallerBoxHasTheSameCloudsAtTheSamePlaces) {
+  for (const field::TypedLayer& layer : {test::cumulusLayer(), test::stratocumulusLayer()}) {
+    const test::MadeSource source = sky(layer);
+    Options options = test::usualOptions(100'000);
+    const test::MadeTable whole(source, options);
+    options.box = base::GeoBox{10.7, 46.2, 11.6, 47.1};
+    const test::MadeTable part(source, options, whole.general);
+    Placed expected = placesOf(whole.table);
+    std::erase_if(expected, [&](auto& entry) {
+      return !options.box->contains(entry.second.first, entry.second.second);
+    });
+    EXPECT_FALSE(expected.empty());
+    EXPECT_LT(expected.size(), whole.table.clouds.size());
+    EXPECT_EQ(placesOf(part.table), expected);
+  }
+}
+
+TEST(Quantity, TheSeedDecides) {
+  const test::MadeSource source = sky(test::cumulusLayer());
+  Options options = test::usualOptions(50'000);
+  const Placed one = placesOf(test::MadeTable(source, options).table);
+  EXPECT_EQ(placesOf(test::MadeTable(source, options).table), one);
+  options.seed = 2;
+  EXPECT_NE(placesOf(test::MadeTable(source, options).table), one);
+}
+
+TEST(Quantity, TheOrderOfTheLayersDoesNotMatter) {
+  const test::MadeSource source = sky(test::cumulusLayer());
+  std::vector<field::TypedLayer> backwards(source.layers.rbegin(), source.layers.rend());
+  const Options options = test::usualOptions(50'000);
+  EXPECT_EQ(placesOf(test::MadeTable(source, options, backwards).table),
+            placesOf(test::MadeTable(source, options).table));
+}
+
+TEST(Quantity, ClearCellsHaveNoClouds) {
+  const test::MadeTable made(sky(test::cumulusLayer(0)), test::usualOptions());
+  EXPECT_TRUE(made.table.clouds.empty());
+}
+
+}  // namespace
+}  // namespace cloudgen::pipeline

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline/size.hpp"
+
+#include <set>
+
+#include "shape/generate.hpp"
+#include "support/made_table.hpp"
+
+namespace cloudgen::pipeline {
+namespace {
+
+test::MadeTable made(const field::TypedLayer& layer, std::uint64_t maxPuffs = 400'000) {
+  test::MadeSource source(10, 46, 0.5, 6, 4);
+  source.cover(layer);
+  return {source, test::usualOptions(maxPuffs)};
+}
+
+TEST(Size, OpticalDepthTimesFootprintIsTheLayersWater) {
+  for (const field::TypedLayer& layer : {test::cumulusLayer(), test::stratocumulusLayer()}) {
+    const test::MadeTable sky = made(layer);
+    double water = 0, expected = 0;
+    for (const field::Cloud& cloud : sky.table.clouds) {
+      water += cloud.opticalDepth * shape::footprintSquareMeters(cloud.widthMeters);
+      expected += layer.opticalDepth * cloud.coversSquareMeters;
+    }
+    ASSERT_GT(sky.table.clouds.size(), 300u);
+    EXPECT_NEAR(water / expected, 1, 0.05);
+  }
+}
+
+TEST(Size, CloudsOfALayerShareItsBaseAndStayWithinIt) {
+  for (const field::TypedLayer& layer : {test::cumulusLayer(), test::stratocumulusLayer()})
+    for (const field::Cloud& cloud : made(layer).table.clouds) {
+      ASSERT_EQ(cloud.baseMeters, layer.baseMeters);
+      ASSERT_LE(cloud.baseMeters + cloud.depthMeters, layer.topMeters + 0.5f);
+      ASSERT_GT(cloud.depthMeters, 0);
+    }
+}
+
+TEST(Size, HeapsAreOfManySizesMostlySmall) {
+  const test::MadeTable sky = made(test::cumulusLayer());
+  const double mean =
+      meanWidthMeters(sky.general, test::usualOptions().recipes.of(base::Genus::Cumulus), 1000);
+  std::set<float> widths;
+  std::size_t small = 0;
+  for (const field::Cloud& cloud : sky.table.clouds) {
+    widths.insert(cloud.widthMeters);
+    small += cloud.widthMeters < mean;
+    EXPECT_GT(cloud.widthMeters, mean / 3);
+    EXPECT_LT(cloud.widthMeters, 3 * mean);
+  }
+  EXPECT_GT(widths.size(), sky.table.clouds.size() / 2);
+  EXPECT_GT(small, sky.table.clouds.size() * 6 / 10);
+}
+
+TEST(Size, ElementsOfASheetAreAlike) {
+  std::set<float> widths;
+  for (const field::Cloud& cloud : made(test::stratocumulusLayer()).table.clouds)
+    widths.insert(cloud.widthMeters);
+  EXPECT_EQ(widths.size(), 1u);
+}
+
+}  // namespace
+}  // namespace cloudgen::pipeline

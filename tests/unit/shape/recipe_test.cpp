@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "shape/recipe.hpp"
+
+#include "base/error.hpp"
+#include "support/all_recipes.hpp"
+
+namespace cloudgen::shape {
+namespace {
+
+std::string cumulus() { return base::readFile(test::recipeFile(base::Genus::Cumulus)); }
+
+/// The cumulus recipe with one piece of its text exchanged.
+std::string cumulusWith(const std::string& what, const std::string& with) {
+  std::string text = cumulus();
+  const std::size_t at = text.find(what);
+  EXPECT_NE(at, std::string::npos) << what;
+  return text.replace(at, what.size(), with);
+}
+
+void expectRefused(const std::string& text, const std::string& saying) {
+  try {
+    recipeFromJson(text, "my.json");
+    ADD_FAILURE() << "accepted, should say " << saying;
+  } catch (const base::InputError& error) {
+    EXPECT_EQ(error.where(), "my.json");
+    EXPECT_NE(error.problem().find(saying), std::string::npos) << error.problem();
+    EXPECT_FALSE(error.hint().empty());
+  }
+}
+
+TEST(Recipe, EveryGenusHasOne) {
+  for (const base::Genus genus : base::allGenera()) {
+    const Recipe recipe = test::recipeOf(genus);
+    EXPECT_EQ(recipe.genus, genus);
+    EXPECT_GT(recipe.sections, 0);
+    EXPECT_GT(recipe.billboards, 0);
+    EXPECT_GT(recipe.opticalDepth, 0);
+    EXPECT_FALSE(recipe.sprites.empty());
+  }
+}
+
+TEST(Recipe, WhatTheFileSaysIsRead) {
+  const Recipe recipe = recipeFromJson(cumulusWith("\"count\": 14", "\"count\": 9"), "my.json");
+  EXPECT_EQ(recipe.form, Form::Heap);
+  EXPECT_EQ(recipe.sections, 9);
+  EXPECT_EQ(recipe.sectionPlacement.system, CoordinateSystem::HalfSpherical);
+  EXPECT_FLOAT_EQ(recipe.widthMeters.low, 500);
+  EXPECT_FLOAT_EQ(recipe.widthMeters.high, 4000);
+  EXPECT_FALSE(recipe.sheet);
+  EXPECT_FALSE(recipe.alongWind);
+}
+
+TEST(Recipe, WhatIsWrongIsNamed) {
+  expectRefused(cumulus() + "}", "is not a recipe");
+  expectRefused("", "is not a recipe");
+  expectRefused("[]", "is not a recipe");
+  expectRefused(cumulusWith("\"genus\": \"Cu\"", "\"genus\": \"Xy\""), "genus");
+  expectRefused(cumulusWith("\"form\": \"heap\"", "\"form\": \"pile\""), "pile");
+  expectRefused(cumulusWith("half_spherical", "toroidal"), "coordinate_system");
+  expectRefused(cumulusWith("\"placement\": \"uniform\"", "\"placement\": \"dense\""), "placement");
+  expectRefused(cumulusWith("\"width_m\": [500, 4000]", "\"width_m\": [4000, 500]"), "low <= high");
+  expectRefused(cumulusWith("\"width_m\": [500, 4000]", "\"width_m\": [0, 500]"), "low");
+  expectRefused(cumulusWith("\"width_m\": [500, 4000]", "\"width_m\": [500]"), "is not a recipe");
+  expectRefused(cumulusWith("\"sheet\": false", "\"sheet\": \"no\""), "is not a recipe");
+  expectRefused(cumulusWith("\"optical_depth\": 30,", ""), "optical_depth");
+}
+
+}  // namespace
+}  // namespace cloudgen::shape
