@@ -4,6 +4,7 @@
 #include "base/data_dir.hpp"
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "support/heap_recipe.hpp"
 #include "support/scratch.hpp"
 
 namespace cloudgen::pipeline {
@@ -17,10 +18,9 @@ class RecipeFolder : public testing::Test {
     for (const auto& entry : std::filesystem::directory_iterator(shipped()))
       std::filesystem::copy(entry.path(), folder.path());
   }
-  void change(const std::string& file, const std::string& what, const std::string& with) {
-    std::string text = base::readFile(shipped() / file);
-    ASSERT_NE(text.find(what), std::string::npos);
-    folder.write(file, text.replace(text.find(what), what.size(), with));
+  void change(const std::string& what, const std::string& with) {
+    ASSERT_FALSE(test::heapRecipeWith(what, with).empty()) << what;
+    folder.write("cumulus.json", test::heapRecipeWith(what, with));
   }
   void expectRefused(const std::string& where, const std::string& saying) {
     try {
@@ -44,6 +44,11 @@ TEST_F(RecipeFolder, OtherFilesDoNotMatter) {
   EXPECT_NO_THROW(readRecipes(folder.path()));
 }
 
+TEST_F(RecipeFolder, OnesOwnRecipeReplacesTheShippedOne) {
+  folder.write("cumulus.json", test::kHeapRecipe);
+  EXPECT_FLOAT_EQ(readRecipes(folder.path()).of(base::Genus::Cumulus).opticalDepth, 30);
+}
+
 TEST_F(RecipeFolder, AMissingGenusIsNamed) {
   std::filesystem::remove(folder.path() / "cirrus.json");
   expectRefused(folder.path().string(), "cirrus");
@@ -55,15 +60,15 @@ TEST_F(RecipeFolder, TwoForOneGenusAreRefused) {
 }
 
 TEST_F(RecipeFolder, WhatTheSchemaForbidsIsRefusedWithItsPlace) {
-  change("cumulus.json", "\"count\": 14", "\"count\": \"many\"");
+  change("\"count\": 14", "\"count\": \"many\"");
   expectRefused("cumulus.json", "count");
-  change("cumulus.json", "\"sheet\": false", "\"sheet\": false, \"colour\": \"green\"");
+  change("\"sheet\": false", "\"sheet\": false, \"colour\": \"green\"");
   expectRefused("cumulus.json", "colour");
-  change("cumulus.json", "\"optical_depth\": 30,", "");
+  change("\"optical_depth\": 30,", "");
   expectRefused("cumulus.json", "optical_depth");
-  change("cumulus.json", "\"form\": \"heap\"", "\"form\": \"pile\"");
+  change("\"form\": \"heap\"", "\"form\": \"pile\"");
   expectRefused("cumulus.json", "form");
-  change("cumulus.json", "\"optical_depth\": 30", "\"optical_depth\": -1");
+  change("\"optical_depth\": 30", "\"optical_depth\": -1");
   expectRefused("cumulus.json", "optical_depth");
 }
 

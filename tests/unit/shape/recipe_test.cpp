@@ -3,19 +3,10 @@
 
 #include "base/error.hpp"
 #include "support/all_recipes.hpp"
+#include "support/heap_recipe.hpp"
 
 namespace cloudgen::shape {
 namespace {
-
-std::string cumulus() { return base::readFile(test::recipeFile(base::Genus::Cumulus)); }
-
-/// The cumulus recipe with one piece of its text exchanged.
-std::string cumulusWith(const std::string& what, const std::string& with) {
-  std::string text = cumulus();
-  const std::size_t at = text.find(what);
-  EXPECT_NE(at, std::string::npos) << what;
-  return text.replace(at, what.size(), with);
-}
 
 void expectRefused(const std::string& text, const std::string& saying) {
   try {
@@ -40,7 +31,7 @@ TEST(Recipe, EveryGenusHasOne) {
 }
 
 TEST(Recipe, WhatTheFileSaysIsRead) {
-  const Recipe recipe = recipeFromJson(cumulusWith("\"count\": 14", "\"count\": 9"), "my.json");
+  const Recipe recipe = recipeFromJson(test::heapRecipeWith("\"count\": 14", "\"count\": 9"), "my.json");
   EXPECT_EQ(recipe.form, Form::Heap);
   EXPECT_EQ(recipe.sections, 9);
   EXPECT_EQ(recipe.sectionPlacement.system, CoordinateSystem::HalfSpherical);
@@ -51,18 +42,18 @@ TEST(Recipe, WhatTheFileSaysIsRead) {
 }
 
 TEST(Recipe, WhatIsWrongIsNamed) {
-  expectRefused(cumulus() + "}", "is not a recipe");
+  expectRefused(test::kHeapRecipe + std::string("}"), "is not a recipe");
   expectRefused("", "is not a recipe");
   expectRefused("[]", "is not a recipe");
-  expectRefused(cumulusWith("\"genus\": \"Cu\"", "\"genus\": \"Xy\""), "genus");
-  expectRefused(cumulusWith("\"form\": \"heap\"", "\"form\": \"pile\""), "pile");
-  expectRefused(cumulusWith("half_spherical", "toroidal"), "coordinate_system");
-  expectRefused(cumulusWith("\"placement\": \"uniform\"", "\"placement\": \"dense\""), "placement");
-  expectRefused(cumulusWith("\"width_m\": [500, 4000]", "\"width_m\": [4000, 500]"), "low <= high");
-  expectRefused(cumulusWith("\"width_m\": [500, 4000]", "\"width_m\": [0, 500]"), "low");
-  expectRefused(cumulusWith("\"width_m\": [500, 4000]", "\"width_m\": [500]"), "is not a recipe");
-  expectRefused(cumulusWith("\"sheet\": false", "\"sheet\": \"no\""), "is not a recipe");
-  expectRefused(cumulusWith("\"optical_depth\": 30,", ""), "optical_depth");
+  expectRefused(test::heapRecipeWith("\"genus\": \"Cu\"", "\"genus\": \"Xy\""), "genus");
+  expectRefused(test::heapRecipeWith("\"form\": \"heap\"", "\"form\": \"pile\""), "pile");
+  expectRefused(test::heapRecipeWith("half_spherical", "toroidal"), "coordinate_system");
+  expectRefused(test::heapRecipeWith("\"placement\": \"uniform\"", "\"placement\": \"dense\""), "placement");
+  expectRefused(test::heapRecipeWith("\"width_m\": [500, 4000]", "\"width_m\": [4000, 500]"), "low <= high");
+  expectRefused(test::heapRecipeWith("\"width_m\": [500, 4000]", "\"width_m\": [0, 500]"), "low");
+  expectRefused(test::heapRecipeWith("\"width_m\": [500, 4000]", "\"width_m\": [500]"), "is not a recipe");
+  expectRefused(test::heapRecipeWith("\"sheet\": false", "\"sheet\": \"no\""), "is not a recipe");
+  expectRefused(test::heapRecipeWith("\"optical_depth\": 30,", ""), "optical_depth");
 }
 
 }  // namespace
