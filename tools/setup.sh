@@ -37,9 +37,11 @@ need_packages() {
     as_root=(sudo)
   fi
   say "Installing ${#missing[@]} Debian packages: ${missing[*]}"
+  local log="$repository/build/apt.log"
+  mkdir -p "$repository/build"
   "${as_root[@]}" apt-get update -qq || stop "apt-get update failed: is the network there?"
-  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" ||
-    stop "apt-get install failed (see above)"
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >"$log" 2>&1 ||
+    { tail -20 "$log"; stop "apt-get install failed (all of it is in $log)"; }
 }
 
 # gfs_file: prints the path of the GFS forecast of Debian's python-grib-doc. Systems that leave out /usr/share/doc get it from the
