@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Builds every sky of this folder and takes its pictures: bash examples/gallery/make.sh [PROGRAM [NAME...]]
 # Each genus is seen as an observer on the ground (or beside it) and a pilot above would see it.
 set -euo pipefail

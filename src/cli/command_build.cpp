@@ -70,6 +70,24 @@ class Stopwatch {
   std::vector<std::pair<std::string, double>> laps_;
 };
 
+/// Gives every option of a TOML file that the command line leaves open. Throws UsageError for what no option knows.
+void takeConfig(CLI::App& options, const std::string& file) {
+  base::readFile(file, 1 << 20);  // says what is wrong with the path
+  try {
+    for (const CLI::ConfigItem& item : CLI::ConfigTOML().from_file(file)) {
+      if (item.name == "++" || item.name == "--") continue;  // section marks
+      CLI::Option* option = options.get_option_no_throw("--" + item.name);
+      if (!option || !item.parents.empty())
+        throw base::UsageError(file, "has \"" + item.fullname() + "\", which is not an option of build", "see `cloudgen build --help`");
+      if (option->count() > 0) continue;
+      option->add_result(item.inputs);
+      option->run_callback();
+    }
+  } catch (const CLI::Error& error) {
+    throw base::UsageError(file, error.what(), "see `cloudgen build --help`");
+  }
+}
+
 int build(const BuildLine& line, const Terminal& terminal) {
   refuseWhatIsNotBuilt(line);
   const auto formats = writer::chosenFormats(line.formats);
@@ -115,7 +133,7 @@ std::function<int()> setupBuild(CLI::App& options, const Terminal& terminal) {
   options.add_option("--bbox", line->box, "west,south,east,north in degrees (default: the whole model domain)");
   options.add_option("--time", line->time, "a valid time (ISO), or all")->capture_default_str();
   options.add_option("--formats", line->formats, "comma-separated list; `cloudgen formats` lists them (default: all that are built)");
-  options.add_option("--seed", line->seed, "another seed, another sky of the same statistics")->capture_default_str();
+  options.add_option("--seed", line->seed, "another seed, another sky of the same statistics")->check(CLI::NonNegativeNumber)->capture_default_str();
   options.add_option("--threads", line->threads, "worker threads; the result is the same for any number (0: all cores)")->check(CLI::Range(0, 1024));
   options.add_option("--sun", line->sun, "auto (from time and place) or AZIMUTH,ELEVATION in degrees")->capture_default_str();
   options.add_option("--max-puffs", line->maxPuffs, "how many puffs the whole scene may draw; fewer make fewer and larger clouds")
@@ -126,10 +144,14 @@ std::function<int()> setupBuild(CLI::App& options, const Terminal& terminal) {
   options.add_option("--shape", line->shape, "a cloud shape from a file (not built yet)");
   options.add_option("--shard", line->shard, "I/N: only a share of the tiles (not built yet)");
   options.add_option("--max-memory", line->maxMemory, "limit of memory (not built yet)");
-  options.set_config("--config", "", "options from a TOML file");
+  const auto config = std::make_shared<std::string>();
+  options.add_option("--config", *config, "options from a TOML file, as in seed = 7; the command line goes before it");
   options.add_flag("--overwrite", line->overwrite, "replace a folder that cloudgen made before");
   options.add_flag("--json", line->json, "print the report to stdout");
-  return [line, &terminal] { return build(*line, terminal); };
+  return [line, config, &options, &terminal] {
+    if (!config->empty()) takeConfig(options, *config);
+    return build(*line, terminal);
+  };
 }
 
 }  // namespace cloudgen::cli

@@ -45,7 +45,7 @@ int usageFailure(const CLI::App& app, const CLI::ParseError& error) {
     const std::string nearest = base::nearestWord(word.substr(0, word.find('=')), known);
     if (!nearest.empty()) hint = fmt::format("did you mean {}?", nearest);
   }
-  return fail(base::UsageError(command == &app ? "cloudgen" : "cloudgen " + command->get_name(), error.what(), hint));
+  return fail(base::UsageError(command == &app ? "command line" : command->get_name(), error.what(), hint));
 }
 
 }  // namespace
@@ -66,6 +66,7 @@ int main(int count, char** arguments) {
                                                                  {"json", cli::Terminal::ProgressMode::Json}};
   for (const auto& command : cli::commands()) {
     CLI::App* options = app.add_subcommand(std::string(command.name), std::string(command.summary));
+    options->set_help_flag("-h,--help", "this text");
     options->add_option("--progress", terminal.progressMode, "auto, always, never or json")->transform(CLI::CheckedTransformer(modes));
     options->add_flag("-q,--quiet", terminal.quiet, "only errors");
     options->add_flag("-v,--verbose", terminal.verbose, "say more");
