@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // How long the program takes and how much memory, one line of JSON a case; with ratios to another tool
 // measured in the same run.
-//   cmake --build --preset release --target bench
+//   cmake --preset release -DCLOUDGEN_TESTS=ON && cmake --build --preset release --target bench
 //   build/release/tests/bench/bench build/release/src/cli/cloudgen FORECAST.grib2
 // Needs a folder for temporary files and, for the comparison, xmllint.
 #include <fcntl.h>
