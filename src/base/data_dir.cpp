@@ -22,7 +22,8 @@ fs::path besideProgram() {
 fs::path dataDir() {
   if (const char* chosen = std::getenv("CLOUDGEN_DATA")) {
     if (fs::is_directory(fs::path(chosen) / "templates")) return chosen;
-    throw InputError(chosen, "has no templates folder", "point CLOUDGEN_DATA at cloudgen's data folder, or unset it");
+    throw InputError(chosen, "has no templates folder",
+                     "point CLOUDGEN_DATA at cloudgen's data folder, or unset it");
   }
   for (const fs::path& folder : {besideProgram(), fs::path(CLOUDGEN_SOURCE_DATA_DIR)})
     if (fs::is_directory(folder / "templates")) return folder;

@@ -47,13 +47,15 @@ void writeFile(const fs::path& file, std::span<const std::string_view> pieces) {
   const fs::path beside = file.string() + ".part";
   {
     std::ofstream stream(beside, std::ios::binary | std::ios::trunc);
-    for (const std::string_view bytes : pieces) stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    for (const std::string_view bytes : pieces)
+      stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     stream.flush();
     if (!stream) {
       const std::string reason = systemReason();
       std::error_code ignored;
       fs::remove(beside, ignored);
-      throw OutputError(file.string(), "cannot be written (" + reason + ")", "check the folder, its permissions and the free space");
+      throw OutputError(file.string(), "cannot be written (" + reason + ")",
+                        "check the folder, its permissions and the free space");
     }
   }
   std::error_code error;
@@ -74,7 +76,8 @@ StagedFolder::StagedFolder(fs::path target, bool overwrite)
       throw OutputError(target_.string(), "exists and is not a folder", "choose another -o");
     if (!fs::is_empty(target_)) {
       if (!overwrite_)
-        throw OutputError(target_.string(), "exists already", "choose another -o, or add --overwrite to replace it");
+        throw OutputError(target_.string(), "exists already",
+                          "choose another -o, or add --overwrite to replace it");
       if (!fs::exists(target_ / "report.json"))
         throw OutputError(target_.string(), "is not a folder made by cloudgen (it has no report.json)",
                           "choose another -o: --overwrite replaces only our own output");
@@ -84,7 +87,8 @@ StagedFolder::StagedFolder(fs::path target, bool overwrite)
   std::error_code error;
   fs::remove_all(staging_, error);
   if (!fs::create_directory(staging_, error))
-    throw OutputError(parent.string(), "cannot be written (" + error.message() + ")", "check its permissions, or choose another -o");
+    throw OutputError(parent.string(), "cannot be written (" + error.message() + ")",
+                      "check its permissions, or choose another -o");
 }
 
 StagedFolder::~StagedFolder() {
@@ -97,13 +101,16 @@ void StagedFolder::commit() {
   const fs::path old = staging_.string() + ".old";
   if (fs::exists(target_)) {
     fs::rename(target_, old, error);
-    if (error) throw OutputError(target_.string(), "cannot be replaced (" + error.message() + ")", "check its permissions");
+    if (error)
+      throw OutputError(target_.string(), "cannot be replaced (" + error.message() + ")",
+                        "check its permissions");
   }
   fs::rename(staging_, target_, error);
   if (error) {
     std::error_code ignored;
     if (fs::exists(old)) fs::rename(old, target_, ignored);
-    throw OutputError(target_.string(), "cannot be put in place (" + error.message() + ")", "check its permissions");
+    throw OutputError(target_.string(), "cannot be put in place (" + error.message() + ")",
+                      "check its permissions");
   }
   fs::remove_all(old, error);
 }

@@ -48,18 +48,22 @@ GeoBox boxFromText(const std::string& text) {
   box.west = wrappedLongitude(box.west);
   box.east = wrappedLongitude(box.east);
   if (box.east == -180) box.east = 180;
-  if (box.west == box.east) throw UsageError("--bbox " + text, "west and east are the same meridian", example);
+  if (box.west == box.east)
+    throw UsageError("--bbox " + text, "west and east are the same meridian", example);
   return box;
 }
 
 LocalFrame::LocalFrame(const GeoBox& box) : box_(box) {
   definition_ = fmt::format("+proj=laea +lat_0={} +lon_0={} +datum=WGS84 +units=m +type=crs",
                             shortest(box.centerLatitude()), shortest(box.centerLongitude()));
-  context_ = std::shared_ptr<void>(proj_context_create(), [](void* p) { proj_context_destroy(static_cast<PJ_CONTEXT*>(p)); });
+  context_ = std::shared_ptr<void>(proj_context_create(),
+                                   [](void* p) { proj_context_destroy(static_cast<PJ_CONTEXT*>(p)); });
   const auto context = static_cast<PJ_CONTEXT*>(context_.get());
   PJ* created = proj_create(context, definition_.substr(0, definition_.find(" +type")).c_str());
-  if (!created) throw InputError("scene frame", "PROJ refuses " + definition_, "check the box and the PROJ installation");
-  projection_ = std::shared_ptr<void>(created, [keep = context_](void* p) { proj_destroy(static_cast<PJ*>(p)); });
+  if (!created)
+    throw InputError("scene frame", "PROJ refuses " + definition_, "check the box and the PROJ installation");
+  projection_ =
+      std::shared_ptr<void>(created, [keep = context_](void* p) { proj_destroy(static_cast<PJ*>(p)); });
 
   const glm::dvec3 corner = toScene(box.west, box.south, 0);
   origin_ = {corner.x, corner.z};
@@ -69,8 +73,9 @@ LocalFrame::LocalFrame(const GeoBox& box) : box_(box) {
   for (int i = 0; i <= kSteps; ++i) {
     const double along = static_cast<double>(i) / kSteps;
     const double longitude = box.west + along * box.width(), latitude = box.south + along * box.height();
-    for (const glm::dvec3& p : {toScene(longitude, box.south, 0), toScene(longitude, box.north, 0),
-                                toScene(box.west, latitude, 0), toScene(box.west + box.width(), latitude, 0)}) {
+    for (const glm::dvec3& p :
+         {toScene(longitude, box.south, 0), toScene(longitude, box.north, 0), toScene(box.west, latitude, 0),
+          toScene(box.west + box.width(), latitude, 0)}) {
       lower_ = glm::dvec2(std::min(lower_.x, p.x), std::min(lower_.y, p.z));
       upper_ = glm::dvec2(std::max(upper_.x, p.x), std::max(upper_.y, p.z));
     }
@@ -78,8 +83,9 @@ LocalFrame::LocalFrame(const GeoBox& box) : box_(box) {
 }
 
 glm::dvec3 LocalFrame::toScene(double longitudeDegrees, double latitudeDegrees, double heightMeters) const {
-  const PJ_COORD there = proj_trans(projection(projection_), PJ_FWD,
-                                    proj_coord(proj_torad(longitudeDegrees), proj_torad(latitudeDegrees), 0, 0));
+  const PJ_COORD there =
+      proj_trans(projection(projection_), PJ_FWD,
+                 proj_coord(proj_torad(longitudeDegrees), proj_torad(latitudeDegrees), 0, 0));
   return {there.xy.x - origin_.x, heightMeters, -there.xy.y - origin_.y};
 }
 
@@ -91,7 +97,8 @@ glm::dvec3 LocalFrame::toGeographic(const glm::dvec3& scene) const {
 
 glm::dvec2 LocalFrame::eastDirection(double longitudeDegrees, double latitudeDegrees) const {
   const double latitude = std::clamp(latitudeDegrees, -89.9, 89.9);
-  const glm::dvec3 a = toScene(longitudeDegrees - 1e-4, latitude, 0), b = toScene(longitudeDegrees + 1e-4, latitude, 0);
+  const glm::dvec3 a = toScene(longitudeDegrees - 1e-4, latitude, 0),
+                   b = toScene(longitudeDegrees + 1e-4, latitude, 0);
   const glm::dvec2 step(b.x - a.x, b.z - a.z);
   return step / std::hypot(step.x, step.y);
 }

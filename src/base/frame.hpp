@@ -28,9 +28,9 @@ double wrappedLongitude(double longitudeDegrees);
 /// Reads "W,S,E,N" in degrees. Throws UsageError with what is wrong.
 GeoBox boxFromText(const std::string& text);
 
-/// The scene frame: metres, x east, y up (height above mean sea level), z south, origin at the box's south-west
-/// corner at sea level. Horizontal mapping: Lambert azimuthal equal-area on WGS84, tangent at the box's centre (by PROJ), so
-/// that areas, and with them cloud cover, are true everywhere in the scene.
+/// The scene frame: metres, x east, y up (height above mean sea level), z south, origin at the box's
+/// south-west corner at sea level. Horizontal mapping: Lambert azimuthal equal-area on WGS84, tangent at the
+/// box's centre (by PROJ), so that areas, and with them cloud cover, are true everywhere in the scene.
 class LocalFrame {
  public:
   explicit LocalFrame(const GeoBox& box);
@@ -41,9 +41,11 @@ class LocalFrame {
   glm::dvec3 toScene(double longitudeDegrees, double latitudeDegrees, double heightMeters) const;
   /// (longitude, latitude) in degrees and height in metres.
   glm::dvec3 toGeographic(const glm::dvec3& scene) const;
-  /// Unit vectors of true east and north at a place, as (x, z) of the scene; they turn with longitude away from the centre.
+  /// Unit vectors of true east and north at a place, as (x, z) of the scene; they turn with longitude away
+  /// from the centre.
   glm::dvec2 eastDirection(double longitudeDegrees, double latitudeDegrees) const;
-  /// Extent of the box in the scene: smallest and largest x (x component) and z (y component) along its borders.
+  /// Extent of the box in the scene: smallest and largest x (x component) and z (y component) along its
+  /// borders.
   glm::dvec2 lowerCorner() const { return lower_; }
   glm::dvec2 upperCorner() const { return upper_; }
 

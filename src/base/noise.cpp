@@ -33,10 +33,13 @@ double mix(double a, double b, double t) { return a + (b - a) * t; }
 
 double gradientNoise(const glm::dvec3& point, std::uint64_t seed) {
   const double fx = std::floor(point.x), fy = std::floor(point.y), fz = std::floor(point.z);
-  const auto x = static_cast<std::int64_t>(fx), y = static_cast<std::int64_t>(fy), z = static_cast<std::int64_t>(fz);
+  const auto x = static_cast<std::int64_t>(fx), y = static_cast<std::int64_t>(fy),
+             z = static_cast<std::int64_t>(fz);
   const double dx = point.x - fx, dy = point.y - fy, dz = point.z - fz;
   const double u = fade(dx), v = fade(dy), w = fade(dz);
-  const auto corner = [&](int i, int j, int k) { return slope(hashed(x + i, y + j, z + k, seed), dx - i, dy - j, dz - k); };
+  const auto corner = [&](int i, int j, int k) {
+    return slope(hashed(x + i, y + j, z + k, seed), dx - i, dy - j, dz - k);
+  };
   return mix(mix(mix(corner(0, 0, 0), corner(1, 0, 0), u), mix(corner(0, 1, 0), corner(1, 1, 0), u), v),
              mix(mix(corner(0, 0, 1), corner(1, 0, 1), u), mix(corner(0, 1, 1), corner(1, 1, 1), u), v), w);
 }
@@ -54,7 +57,8 @@ double fractalNoise(const glm::dvec3& point, int octaves, std::uint64_t seed) {
 double billowNoise(const glm::dvec3& point, int octaves, std::uint64_t seed) {
   double sum = 0, total = 0, amplitude = 0.5, frequency = 1;
   for (int octave = 0; octave < octaves; ++octave) {
-    sum += amplitude * (1.0 - std::abs(gradientNoise(point * frequency, seed + static_cast<std::uint64_t>(octave))));
+    sum += amplitude *
+           (1.0 - std::abs(gradientNoise(point * frequency, seed + static_cast<std::uint64_t>(octave))));
     total += amplitude;
     amplitude *= 0.5;
     frequency *= 2;

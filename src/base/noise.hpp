@@ -6,8 +6,8 @@
 
 namespace cloudgen::base {
 
-/// Gradient noise (Perlin 2002) on an unbounded lattice whose gradients are hashed from the seed; about -1..1,
-/// zero at lattice points, continuous second derivatives.
+/// Gradient noise (Perlin 2002) on an unbounded lattice whose gradients are hashed from the seed; about
+/// -1..1, zero at lattice points, continuous second derivatives.
 double gradientNoise(const glm::dvec3& point, std::uint64_t seed);
 
 /// Fractal sum of gradient noise: each octave at twice the frequency and half the amplitude; about -1..1.

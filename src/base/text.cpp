@@ -48,7 +48,9 @@ std::string shortest(double value) { return shortestOf(value); }
 
 void appendFixed(std::string& out, double value, int decimals) {
   std::array<char, 400> buffer;
-  auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, decimals).ptr;
+  auto end =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, decimals)
+          .ptr;
   if (decimals > 0) {
     while (end[-1] == '0') --end;
     if (end[-1] == '.') --end;
@@ -58,7 +60,8 @@ void appendFixed(std::string& out, double value, int decimals) {
 }
 
 bool equalIgnoringCase(std::string_view a, std::string_view b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) { return lower(x) == lower(y); });
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](char x, char y) { return lower(x) == lower(y); });
 }
 
 std::vector<std::string> split(std::string_view text, char separator) {

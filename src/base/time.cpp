@@ -21,8 +21,8 @@ std::string isoText(UtcTime time) {
   const year_month_day ymd{date};
   const hh_mm_ss clock{moment - date};
   return fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}:{:02}Z", static_cast<int>(ymd.year()),
-                     static_cast<unsigned>(ymd.month()), static_cast<unsigned>(ymd.day()), clock.hours().count(),
-                     clock.minutes().count(), clock.seconds().count());
+                     static_cast<unsigned>(ymd.month()), static_cast<unsigned>(ymd.day()),
+                     clock.hours().count(), clock.minutes().count(), clock.seconds().count());
 }
 
 std::optional<UtcTime> utcFromIso(std::string_view text) {
@@ -37,7 +37,8 @@ std::optional<UtcTime> utcFromIso(std::string_view text) {
                     matches("%4d-%2d-%2dT%2d:%2dZ%n", &year, &month, &day, &hour, &minute) ||
                     matches("%4d-%2d-%2dT%2dZ%n", &year, &month, &day, &hour) ||
                     matches("%4d-%2d-%2d%n", &year, &month, &day);
-  const std::chrono::year_month_day ymd{std::chrono::year{year}, std::chrono::month(month), std::chrono::day(day)};
+  const std::chrono::year_month_day ymd{std::chrono::year{year}, std::chrono::month(month),
+                                        std::chrono::day(day)};
   if (!read || !ymd.ok() || hour < 0 || hour > 23 || minute < 0 || minute > 59 || second < 0 || second > 59)
     return std::nullopt;
   return utcFromCivil(year, month, day, hour, minute, second);

@@ -23,7 +23,8 @@ struct Terminal {
   void warn(std::string_view text) const;
 };
 
-/// A command: `setup` declares its options (no I/O) and returns what runs it; that returns the exit code or throws base::Error.
+/// A command: `setup` declares its options (no I/O) and returns what runs it; that returns the exit code or
+/// throws base::Error.
 struct Command {
   std::string_view name, summary;
   std::function<int()> (*setup)(CLI::App& options, const Terminal& terminal);

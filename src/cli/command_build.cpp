@@ -20,7 +20,8 @@ namespace {
 /// The command line as written.
 struct BuildLine {
   std::vector<std::string> inputs;
-  std::string output, box, time = "all", formats, sun = "auto", frame = "local", types, typing, shape, shard, maxMemory;
+  std::string output, box, time = "all", formats, sun = "auto", frame = "local", types, typing, shape, shard,
+                           maxMemory;
   std::uint64_t seed = 1, maxPuffs = 200'000;
   int threads = 0;
   bool overwrite = false, json = false;
@@ -28,31 +29,38 @@ struct BuildLine {
 
 void refuseWhatIsNotBuilt(const BuildLine& line) {
   const auto refuse = [](const std::string& option, const std::string& what) {
-    throw base::NotBuiltError(option, what + " is not part of this build", "leave it out; `cloudgen --version --json` says what is built");
+    throw base::NotBuiltError(option, what + " is not part of this build",
+                              "leave it out; `cloudgen --version --json` says what is built");
   };
   if (!line.typing.empty()) refuse("--typing", "joining a cloud typing with a moisture model");
   if (!line.shape.empty()) refuse("--shape", "a shape from a file");
   if (!line.shard.empty()) refuse("--shard", "building in shards");
   if (!line.maxMemory.empty()) refuse("--max-memory", "a memory limit");
   if (line.frame == "geo") refuse("--frame geo", "the curved-Earth frame");
-  if (line.frame != "local") throw base::UsageError("--frame " + line.frame, "is not a known frame", "use local");
+  if (line.frame != "local")
+    throw base::UsageError("--frame " + line.frame, "is not a known frame", "use local");
 }
 
 std::optional<std::pair<double, double>> sunFromText(const std::string& text) {
   if (text == "auto") return std::nullopt;
   const auto parts = base::split(text, ',');
   double azimuth = 0, elevation = 0;
-  if (parts.size() != 2 || !base::parseNumber(parts[0], azimuth) || !base::parseNumber(parts[1], elevation) || elevation < -90 || elevation > 90)
-    throw base::UsageError("--sun " + text, "is not AZIMUTH,ELEVATION in degrees", "as in --sun 220,35 (clockwise from north, above the horizon), or --sun auto");
+  if (parts.size() != 2 || !base::parseNumber(parts[0], azimuth) || !base::parseNumber(parts[1], elevation) ||
+      elevation < -90 || elevation > 90)
+    throw base::UsageError("--sun " + text, "is not AZIMUTH,ELEVATION in degrees",
+                           "as in --sun 220,35 (clockwise from north, above the horizon), or --sun auto");
   return std::pair{azimuth, elevation};
 }
 
 void checkTime(const std::string& wanted, const field::SourceInfo& info) {
   if (wanted == "all") return;
   const auto time = base::utcFromIso(wanted);
-  if (!time) throw base::UsageError("--time " + wanted, "is not an ISO time", "as in --time 2011-01-15T12:00Z, or --time all");
+  if (!time)
+    throw base::UsageError("--time " + wanted, "is not an ISO time",
+                           "as in --time 2011-01-15T12:00Z, or --time all");
   if (*time != info.validTime)
-    throw base::InputError(info.files.front(), "has no data for " + base::isoText(*time), "it is valid at " + base::isoText(info.validTime));
+    throw base::InputError(info.files.front(), "has no data for " + base::isoText(*time),
+                           "it is valid at " + base::isoText(info.validTime));
 }
 
 /// Seconds since the last call, by stage.
@@ -70,7 +78,8 @@ class Stopwatch {
   std::vector<std::pair<std::string, double>> laps_;
 };
 
-/// Gives every option of a TOML file that the command line leaves open. Throws UsageError for what no option knows.
+/// Gives every option of a TOML file that the command line leaves open. Throws UsageError for what no option
+/// knows.
 void takeConfig(CLI::App& options, const std::string& file) {
   base::readFile(file, 1 << 20);  // says what is wrong with the path
   try {
@@ -78,7 +87,8 @@ void takeConfig(CLI::App& options, const std::string& file) {
       if (item.name == "++" || item.name == "--") continue;  // section marks
       CLI::Option* option = options.get_option_no_throw("--" + item.name);
       if (!option || !item.parents.empty())
-        throw base::UsageError(file, "has \"" + item.fullname() + "\", which is not an option of build", "see `cloudgen build --help`");
+        throw base::UsageError(file, "has \"" + item.fullname() + "\", which is not an option of build",
+                               "see `cloudgen build --help`");
       if (option->count() > 0) continue;
       option->add_result(item.inputs);
       option->run_callback();
@@ -100,7 +110,8 @@ int build(const BuildLine& line, const Terminal& terminal) {
   const base::Progress progress = terminal.progress();
   Stopwatch watch;
 
-  options.recipes = pipeline::readRecipes(line.types.empty() ? base::dataDir() / "templates" / "types" : std::filesystem::path(line.types));
+  options.recipes = pipeline::readRecipes(line.types.empty() ? base::dataDir() / "templates" / "types"
+                                                             : std::filesystem::path(line.types));
   const auto source = input::open({line.inputs.begin(), line.inputs.end()});
   checkTime(line.time, source->info());
   base::StagedFolder folder(line.output, line.overwrite);
@@ -119,8 +130,9 @@ int build(const BuildLine& line, const Terminal& terminal) {
 
   for (const std::string& warning : outcome.warnings) terminal.warn(warning);
   if (line.json) print(report.dump(2));
-  terminal.say(fmt::format("{}: {} clouds of {} puffs from {} model columns, valid {}", line.output, outcome.scene.clouds.size(),
-                           scene::drawnPuffs(outcome.scene), outcome.columns, base::isoText(outcome.scene.validTime)));
+  terminal.say(fmt::format("{}: {} clouds of {} puffs from {} model columns, valid {}", line.output,
+                           outcome.scene.clouds.size(), scene::drawnPuffs(outcome.scene), outcome.columns,
+                           base::isoText(outcome.scene.validTime)));
   return 0;
 }
 
@@ -128,24 +140,39 @@ int build(const BuildLine& line, const Terminal& terminal) {
 
 std::function<int()> setupBuild(CLI::App& options, const Terminal& terminal) {
   const auto line = std::make_shared<BuildLine>();
-  options.add_option("INPUT", line->inputs, "model output: GRIB files, or a described sky (*.sky.json)")->required();
-  options.add_option("-o,--output", line->output, "folder to make; it appears when it is complete")->required();
-  options.add_option("--bbox", line->box, "west,south,east,north in degrees (default: the whole model domain)");
+  options.add_option("INPUT", line->inputs, "model output: GRIB files, or a described sky (*.sky.json)")
+      ->required();
+  options.add_option("-o,--output", line->output, "folder to make; it appears when it is complete")
+      ->required();
+  options.add_option("--bbox", line->box,
+                     "west,south,east,north in degrees (default: the whole model domain)");
   options.add_option("--time", line->time, "a valid time (ISO), or all")->capture_default_str();
-  options.add_option("--formats", line->formats, "comma-separated list; `cloudgen formats` lists them (default: all that are built)");
-  options.add_option("--seed", line->seed, "another seed, another sky of the same statistics")->check(CLI::NonNegativeNumber)->capture_default_str();
-  options.add_option("--threads", line->threads, "worker threads; the result is the same for any number (0: all cores)")->check(CLI::Range(0, 1024));
-  options.add_option("--sun", line->sun, "auto (from time and place) or AZIMUTH,ELEVATION in degrees")->capture_default_str();
-  options.add_option("--max-puffs", line->maxPuffs, "how many puffs the whole scene may draw; fewer make fewer and larger clouds")
-      ->check(CLI::Range(std::uint64_t{1000}, std::uint64_t{50'000'000}))->capture_default_str();
-  options.add_option("--frame", line->frame, "local: a plane tangent at the middle of the box")->capture_default_str();
+  options.add_option("--formats", line->formats,
+                     "comma-separated list; `cloudgen formats` lists them (default: all that are built)");
+  options.add_option("--seed", line->seed, "another seed, another sky of the same statistics")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  options
+      .add_option("--threads", line->threads,
+                  "worker threads; the result is the same for any number (0: all cores)")
+      ->check(CLI::Range(0, 1024));
+  options.add_option("--sun", line->sun, "auto (from time and place) or AZIMUTH,ELEVATION in degrees")
+      ->capture_default_str();
+  options
+      .add_option("--max-puffs", line->maxPuffs,
+                  "how many puffs the whole scene may draw; fewer make fewer and larger clouds")
+      ->check(CLI::Range(std::uint64_t{1000}, std::uint64_t{50'000'000}))
+      ->capture_default_str();
+  options.add_option("--frame", line->frame, "local: a plane tangent at the middle of the box")
+      ->capture_default_str();
   options.add_option("--types", line->types, "folder of recipes, one a genus (default: templates/types)");
   options.add_option("--typing", line->typing, "cloud typing beside a moisture model (not built yet)");
   options.add_option("--shape", line->shape, "a cloud shape from a file (not built yet)");
   options.add_option("--shard", line->shard, "I/N: only a share of the tiles (not built yet)");
   options.add_option("--max-memory", line->maxMemory, "limit of memory (not built yet)");
   const auto config = std::make_shared<std::string>();
-  options.add_option("--config", *config, "options from a TOML file, as in seed = 7; the command line goes before it");
+  options.add_option("--config", *config,
+                     "options from a TOML file, as in seed = 7; the command line goes before it");
   options.add_flag("--overwrite", line->overwrite, "replace a folder that cloudgen made before");
   options.add_flag("--json", line->json, "print the report to stdout");
   return [line, config, &options, &terminal] {

@@ -16,7 +16,8 @@ std::function<int()> setupTypes(CLI::App& options, const Terminal&) {
   options.add_flag("--json", *asJson, "for machines");
   options.add_option("--types", *folder, "folder of recipes (default: the built-in ones)");
   return [asJson, folder] {
-    const pipeline::RecipeBook book = pipeline::readRecipes(folder->empty() ? base::dataDir() / "templates" / "types" : std::filesystem::path(*folder));
+    const pipeline::RecipeBook book = pipeline::readRecipes(
+        folder->empty() ? base::dataDir() / "templates" / "types" : std::filesystem::path(*folder));
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const base::Genus genus : base::allGenera()) {
       const shape::Recipe& recipe = book.of(genus);
@@ -29,9 +30,11 @@ std::function<int()> setupTypes(CLI::App& options, const Terminal&) {
                       {"optical_depth", recipe.opticalDepth},
                       {"sheet", recipe.sheet}});
       if (!*asJson)
-        print(fmt::format("{:<4} {:<14} {:>3} sections of {:>2} billboards, {:g}-{:g} m wide, {:g}-{:g} m thick", base::abbreviation(genus),
-                          base::name(genus), recipe.sections, recipe.billboards, recipe.widthMeters.low, recipe.widthMeters.high,
-                          recipe.thicknessMeters.low, recipe.thicknessMeters.high));
+        print(fmt::format(
+            "{:<4} {:<14} {:>3} sections of {:>2} billboards, {:g}-{:g} m wide, {:g}-{:g} m thick",
+            base::abbreviation(genus), base::name(genus), recipe.sections, recipe.billboards,
+            recipe.widthMeters.low, recipe.widthMeters.high, recipe.thicknessMeters.low,
+            recipe.thicknessMeters.high));
     }
     if (*asJson) print(nlohmann::ordered_json{{"types", list}}.dump(2));
     return 0;

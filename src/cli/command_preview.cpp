@@ -26,7 +26,9 @@ std::vector<image::Splat> splatsOf(const check::SplatFile& file, const glm::vec3
   std::vector<image::Splat> splats;
   splats.reserve(file.splats.size());
   for (const check::ReadSplat& read : file.splats) {
-    const glm::vec3 towardsSun = kHarmonic1 * (-sunDirection.y * read.harmonics[0] + sunDirection.z * read.harmonics[1] - sunDirection.x * read.harmonics[2]);
+    const glm::vec3 towardsSun =
+        kHarmonic1 * (-sunDirection.y * read.harmonics[0] + sunDirection.z * read.harmonics[1] -
+                      sunDirection.x * read.harmonics[2]);
     splats.push_back({read.center, read.sigma, read.rotation, read.opacity, read.color, towardsSun});
   }
   return splats;
@@ -35,8 +37,10 @@ std::vector<image::Splat> splatsOf(const check::SplatFile& file, const glm::vec3
 std::pair<int, int> sizeFromText(const std::string& text) {
   const auto parts = base::split(text, 'x');
   double width = 0, height = 0;
-  if (parts.size() != 2 || !base::parseNumber(parts[0], width) || !base::parseNumber(parts[1], height) || width < 16 || height < 16 || width > 16384 || height > 16384)
-    throw base::UsageError("--size " + text, "is not WIDTHxHEIGHT with sides of 16 to 16384 pixels", "as in --size 1280x720");
+  if (parts.size() != 2 || !base::parseNumber(parts[0], width) || !base::parseNumber(parts[1], height) ||
+      width < 16 || height < 16 || width > 16384 || height > 16384)
+    throw base::UsageError("--size " + text, "is not WIDTHxHEIGHT with sides of 16 to 16384 pixels",
+                           "as in --size 1280x720");
   return {static_cast<int>(width), static_cast<int>(height)};
 }
 
@@ -50,8 +54,12 @@ void aim(image::Camera& camera, const std::string& text, const std::filesystem::
     read = numbers.size() == 3;
     for (std::size_t k = 0; read && k < 3; ++k) read = base::parseNumber(numbers[k], values[i][k]);
   }
-  if (!read) throw base::UsageError("--view " + text, "is not a known view", "use top, ground, horizon or EYE:TARGET as lon,lat,height:lon,lat,height");
-  if (report.empty()) throw base::UsageError("--view " + text, "needs the folder of the scene, to know where it lies", "name the folder instead of the file");
+  if (!read)
+    throw base::UsageError("--view " + text, "is not a known view",
+                           "use top, ground, horizon or EYE:TARGET as lon,lat,height:lon,lat,height");
+  if (report.empty())
+    throw base::UsageError("--view " + text, "needs the folder of the scene, to know where it lies",
+                           "name the folder instead of the file");
   const auto box = nlohmann::json::parse(base::readFile(report)).at("bbox");
   const base::LocalFrame frame({box.at(0), box.at(1), box.at(2), box.at(3)});
   camera.eye = frame.toScene(values[0][0], values[0][1], values[0][2]);
@@ -62,8 +70,10 @@ int preview(const PreviewLine& line, const Terminal& terminal) {
   const auto [width, height] = sizeFromText(line.size);
   const base::ThreadLimit limit(line.threads);
   const bool isFolder = std::filesystem::is_directory(line.input);
-  const std::filesystem::path splatFile = isFolder ? std::filesystem::path(line.input) / "scene.splats.glb" : std::filesystem::path(line.input);
-  const std::filesystem::path report = isFolder ? std::filesystem::path(line.input) / "report.json" : std::filesystem::path();
+  const std::filesystem::path splatFile =
+      isFolder ? std::filesystem::path(line.input) / "scene.splats.glb" : std::filesystem::path(line.input);
+  const std::filesystem::path report =
+      isFolder ? std::filesystem::path(line.input) / "report.json" : std::filesystem::path();
   const check::SplatFile file = check::readSplats(splatFile);
   image::Surroundings surroundings;
   surroundings.sun = light::sunFrom(file.sunAzimuthDegrees, file.sunElevationDegrees);
@@ -71,7 +81,9 @@ int preview(const PreviewLine& line, const Terminal& terminal) {
   const auto splats = splatsOf(file, surroundings.sun.direction);
   image::Camera camera;
   try {
-    if (!report.empty()) surroundings.groundHeightMeters = nlohmann::json::parse(base::readFile(report)).at("frame").at("ground_m");
+    if (!report.empty())
+      surroundings.groundHeightMeters =
+          nlohmann::json::parse(base::readFile(report)).at("frame").at("ground_m");
     if (line.view.find(':') != std::string::npos) {
       camera.width = width;
       camera.height = height;
@@ -80,7 +92,8 @@ int preview(const PreviewLine& line, const Terminal& terminal) {
       camera = image::cameraFor(line.view, splats, surroundings, width, height);
     }
   } catch (const nlohmann::json::exception& error) {
-    throw base::InputError(report.string(), std::string("is not a report of cloudgen (") + error.what() + ")", "build the scene again");
+    throw base::InputError(report.string(), std::string("is not a report of cloudgen (") + error.what() + ")",
+                           "build the scene again");
   }
   image::writePng(line.output, image::render(splats, camera, surroundings, terminal.progress()));
   terminal.say(fmt::format("{}: {} splats, {}x{}", line.output, splats.size(), width, height));
@@ -93,7 +106,9 @@ std::function<int()> setupPreview(CLI::App& options, const Terminal& terminal) {
   const auto line = std::make_shared<PreviewLine>();
   options.add_option("INPUT", line->input, "the folder of a scene, or its scene.splats.glb")->required();
   options.add_option("-o,--output", line->output, "the PNG to write")->required();
-  options.add_option("--view", line->view, "top, ground, horizon or EYE:TARGET as lon,lat,height:lon,lat,height")->capture_default_str();
+  options
+      .add_option("--view", line->view, "top, ground, horizon or EYE:TARGET as lon,lat,height:lon,lat,height")
+      ->capture_default_str();
   options.add_option("--size", line->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
   options.add_option("--threads", line->threads, "worker threads (0: all cores)")->check(CLI::Range(0, 1024));
   return [line, &terminal] { return preview(*line, terminal); };

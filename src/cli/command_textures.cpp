@@ -9,11 +9,13 @@ namespace cloudgen::cli {
 
 std::function<int()> setupTextures(CLI::App& options, const Terminal& terminal) {
   const auto folder = std::make_shared<std::string>();
-  options.add_option("-o,--output", *folder, "the folder to write the sprite set into (made if absent)")->required();
+  options.add_option("-o,--output", *folder, "the folder to write the sprite set into (made if absent)")
+      ->required();
   return [folder, &terminal] {
     std::error_code error;
     std::filesystem::create_directories(*folder, error);
-    if (error) throw base::OutputError(*folder, "cannot be made (" + error.message() + ")", "choose another -o");
+    if (error)
+      throw base::OutputError(*folder, "cannot be made (" + error.message() + ")", "choose another -o");
     image::writeSpriteSet(*folder, terminal.progress());
     terminal.say(fmt::format("wrote {} sprite atlases and manifest.json to {}", base::kGenusCount, *folder));
     return 0;

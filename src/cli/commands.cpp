@@ -12,7 +12,8 @@ std::function<int()> notBuilt(CLI::App& options) {
   options.allow_extras();
   options.prefix_command();
   return [name = options.get_name()]() -> int {
-    throw base::NotBuiltError(name, "is not part of this build", "see `cloudgen --version --json` for what is");
+    throw base::NotBuiltError(name, "is not part of this build",
+                              "see `cloudgen --version --json` for what is");
   };
 }
 

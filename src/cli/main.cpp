@@ -18,8 +18,11 @@ int fail(const base::Error& error) {
 }
 
 std::string usage() {
-  std::string text = "cloudgen compiles what a weather model says about clouds into a 3D sky.\n\nusage: cloudgen COMMAND [OPTIONS]\n\n";
-  for (const auto& command : cli::commands()) text += fmt::format("  {:<10} {}\n", command.name, command.summary);
+  std::string text =
+      "cloudgen compiles what a weather model says about clouds into a 3D sky.\n\nusage: cloudgen COMMAND "
+      "[OPTIONS]\n\n";
+  for (const auto& command : cli::commands())
+    text += fmt::format("  {:<10} {}\n", command.name, command.summary);
   return text + "\n`cloudgen COMMAND --help` tells more.";
 }
 
@@ -40,7 +43,8 @@ int usageFailure(const CLI::App& app, const CLI::ParseError& error) {
     for (const auto& entry : cli::commands()) known.emplace_back(entry.name);
   for (const CLI::Option* option : command->get_options())
     for (const auto& name : option->get_lnames()) known.push_back("--" + name);
-  std::string hint = command == &app ? "see `cloudgen --help`" : fmt::format("see `cloudgen {} --help`", command->get_name());
+  std::string hint = command == &app ? "see `cloudgen --help`"
+                                     : fmt::format("see `cloudgen {} --help`", command->get_name());
   for (const std::string& word : command->remaining(true)) {
     const std::string nearest = base::nearestWord(word.substr(0, word.find('=')), known);
     if (!nearest.empty()) hint = fmt::format("did you mean {}?", nearest);
@@ -60,14 +64,16 @@ int main(int count, char** arguments) {
   app.add_flag("--version", version, "the version; with --json also what is built");
   app.add_flag("--json", asJson);
   std::vector<std::pair<CLI::App*, std::function<int()>>> runs;
-  const std::map<std::string, cli::Terminal::ProgressMode> modes{{"auto", cli::Terminal::ProgressMode::Auto},
-                                                                 {"always", cli::Terminal::ProgressMode::Always},
-                                                                 {"never", cli::Terminal::ProgressMode::Never},
-                                                                 {"json", cli::Terminal::ProgressMode::Json}};
+  const std::map<std::string, cli::Terminal::ProgressMode> modes{
+      {"auto", cli::Terminal::ProgressMode::Auto},
+      {"always", cli::Terminal::ProgressMode::Always},
+      {"never", cli::Terminal::ProgressMode::Never},
+      {"json", cli::Terminal::ProgressMode::Json}};
   for (const auto& command : cli::commands()) {
     CLI::App* options = app.add_subcommand(std::string(command.name), std::string(command.summary));
     options->set_help_flag("-h,--help", "this text");
-    options->add_option("--progress", terminal.progressMode, "auto, always, never or json")->transform(CLI::CheckedTransformer(modes));
+    options->add_option("--progress", terminal.progressMode, "auto, always, never or json")
+        ->transform(CLI::CheckedTransformer(modes));
     options->add_flag("-q,--quiet", terminal.quiet, "only errors");
     options->add_flag("-v,--verbose", terminal.verbose, "say more");
     runs.emplace_back(options, command.setup(*options, terminal));
@@ -88,8 +94,10 @@ int main(int count, char** arguments) {
   } catch (const base::Error& error) {
     return fail(error);
   } catch (const std::bad_alloc&) {
-    return fail(base::OutputError("cloudgen", "memory ran out", "take a smaller --bbox or a lower --max-puffs"));
+    return fail(
+        base::OutputError("cloudgen", "memory ran out", "take a smaller --bbox or a lower --max-puffs"));
   } catch (const std::exception& error) {
-    return fail(base::OutputError("cloudgen", error.what(), "this is a defect of cloudgen: please report it with the command"));
+    return fail(base::OutputError("cloudgen", error.what(),
+                                  "this is a defect of cloudgen: please report it with the command"));
   }
 }

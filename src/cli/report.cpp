@@ -14,7 +14,8 @@ double rounded(double value, double perUnit) { return std::round(value * perUnit
 ordered_json generaOf(const scene::Scene& scene) {
   ordered_json genera = ordered_json::object();
   for (const base::Genus genus : base::allGenera()) {
-    const auto count = std::count_if(scene.clouds.begin(), scene.clouds.end(), [&](const auto& cloud) { return cloud.genus == genus; });
+    const auto count = std::count_if(scene.clouds.begin(), scene.clouds.end(),
+                                     [&](const auto& cloud) { return cloud.genus == genus; });
     if (count > 0) genera[std::string(base::abbreviation(genus))] = count;
   }
   return genera;
@@ -33,13 +34,15 @@ ordered_json filesIn(const std::filesystem::path& folder) {
   std::sort(paths.begin(), paths.end());
   ordered_json files = ordered_json::array();
   for (const auto& path : paths)
-    files.push_back({{"name", path.lexically_relative(folder).generic_string()}, {"bytes", std::filesystem::file_size(path)}});
+    files.push_back({{"name", path.lexically_relative(folder).generic_string()},
+                     {"bytes", std::filesystem::file_size(path)}});
   return files;
 }
 
 }  // namespace
 
-ordered_json reportOf(const field::Source& source, const pipeline::Outcome& outcome, const std::filesystem::path& folder,
+ordered_json reportOf(const field::Source& source, const pipeline::Outcome& outcome,
+                      const std::filesystem::path& folder,
                       const std::vector<std::pair<std::string, double>>& timingsSeconds) {
   const scene::Scene& scene = outcome.scene;
   const field::SourceInfo& info = source.info();
@@ -48,16 +51,29 @@ ordered_json reportOf(const field::Source& source, const pipeline::Outcome& outc
   report["cloudgen"] = CLOUDGEN_VERSION;
   ordered_json files = ordered_json::array();
   for (const std::string& file : info.files) files.push_back(std::filesystem::path(file).filename().string());
-  report["source"] = {{"files", files}, {"format", info.format}, {"model", info.model},
-                      {"run", info.run ? ordered_json(base::isoText(*info.run)) : ordered_json(nullptr)}, {"fields", info.fields}};
+  report["source"] = {{"files", files},
+                      {"format", info.format},
+                      {"model", info.model},
+                      {"run", info.run ? ordered_json(base::isoText(*info.run)) : ordered_json(nullptr)},
+                      {"fields", info.fields}};
   report["valid_times"] = {base::isoText(scene.validTime)};
   report["bbox"] = {box.west, box.south, box.east, box.north};
-  report["frame"] = {{"kind", "local"}, {"definition", scene.frame.definition()}, {"origin", {box.west, box.south}}, {"axes", "x east, y up, z south, metres"},
+  report["frame"] = {{"kind", "local"},
+                     {"definition", scene.frame.definition()},
+                     {"origin", {box.west, box.south}},
+                     {"axes", "x east, y up, z south, metres"},
                      {"ground_m", scene.groundHeightMeters}};
-  report["sun"] = {{"azimuth", rounded(scene.sun.azimuthDegrees, 100)}, {"elevation", rounded(scene.sun.elevationDegrees, 100)}};
+  report["sun"] = {{"azimuth", rounded(scene.sun.azimuthDegrees, 100)},
+                   {"elevation", rounded(scene.sun.elevationDegrees, 100)}};
   report["seed"] = scene.seed;
-  report["counts"] = {{"columns", outcome.columns}, {"cells", outcome.cells}, {"layers", outcome.layers}, {"patches", outcome.patches},
-                      {"clouds", scene.clouds.size()}, {"puffs", scene::drawnPuffs(scene)}, {"archetypes", scene.archetypes.size()}, {"tiles", 1}};
+  report["counts"] = {{"columns", outcome.columns},
+                      {"cells", outcome.cells},
+                      {"layers", outcome.layers},
+                      {"patches", outcome.patches},
+                      {"clouds", scene.clouds.size()},
+                      {"puffs", scene::drawnPuffs(scene)},
+                      {"archetypes", scene.archetypes.size()},
+                      {"tiles", 1}};
   report["genera"] = generaOf(scene);
   report["rules"] = rulesOf(scene);
   report["enlargement"] = rounded(outcome.enlargement, 1000);
@@ -66,7 +82,8 @@ ordered_json reportOf(const field::Source& source, const pipeline::Outcome& outc
   report["warnings"] = outcome.warnings;
   report["files"] = filesIn(folder);
   report["timings_seconds"] = ordered_json::object();
-  for (const auto& [stage, seconds] : timingsSeconds) report["timings_seconds"][stage] = rounded(seconds, 1000);
+  for (const auto& [stage, seconds] : timingsSeconds)
+    report["timings_seconds"][stage] = rounded(seconds, 1000);
   return report;
 }
 

@@ -26,7 +26,8 @@ void drawBar(std::string_view stage, double share) {
   constexpr int kWidth = 30;
   const int filled = static_cast<int>(share * kWidth);
   std::fprintf(stderr, "\r\x1b[K%-24.*s [%s%s] %3d %%", static_cast<int>(stage.size()), stage.data(),
-               std::string(filled, '#').c_str(), std::string(kWidth - filled, '.').c_str(), static_cast<int>(share * 100));
+               std::string(filled, '#').c_str(), std::string(kWidth - filled, '.').c_str(),
+               static_cast<int>(share * 100));
   if (share >= 1) std::fputs("\r\x1b[K", stderr);
   std::fflush(stderr);
 }
@@ -41,8 +42,8 @@ base::Progress Terminal::progress() const {
   if (quiet) return progress;
   if (progressMode == ProgressMode::Json)
     progress.report = [](std::string_view stage, double share) {
-      std::fprintf(stderr, "{\"stage\":\"%.*s\",\"share\":%s}\n", static_cast<int>(stage.size()), stage.data(),
-                   base::shortest(share).c_str());
+      std::fprintf(stderr, "{\"stage\":\"%.*s\",\"share\":%s}\n", static_cast<int>(stage.size()),
+                   stage.data(), base::shortest(share).c_str());
     };
   else if (showsBar(progressMode))
     progress.report = drawBar;

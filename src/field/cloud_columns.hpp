@@ -12,7 +12,7 @@ namespace cloudgen::field {
 struct CloudCell {
   std::uint32_t level = 0;  ///< counted from the ground
   float baseMeters = 0, topMeters = 0;
-  float fraction = 0;                 ///< horizontal, 0..1
+  float fraction = 0;  ///< horizontal, 0..1
   float liquidExtinctionPerMeter = 0, iceExtinctionPerMeter = 0;
   float temperatureK = 0, relativeHumidity = 0;
   float windEast = 0, windNorth = 0;  ///< m/s
@@ -21,9 +21,9 @@ struct CloudCell {
 
 /// What the column says whether or not it is cloudy; steps 1 to 3 use it.
 struct ColumnState {
-  float surfaceHeightMeters = 0;      ///< lowest level's height where the file gives no orography
+  float surfaceHeightMeters = 0;  ///< lowest level's height where the file gives no orography
   float temperature850K = 0, temperature500K = 0, dewPoint850K = 0, temperature700K = 0, dewPoint700K = 0;
-  float kIndexC = 0;                  ///< K-index, George 1960; NaN where levels are missing
+  float kIndexC = 0;  ///< K-index, George 1960; NaN where levels are missing
 };
 
 /// Sparse: only cloudy cells are kept. Column c (of `columns`) has the cells [start[c], start[c+1]), upwards.
@@ -33,8 +33,8 @@ struct CloudColumns {
   std::vector<ColumnState> states;     ///< one a column
   std::vector<std::uint32_t> start;    ///< columns.size() + 1
   std::vector<CloudCell> cells;
-  bool fractionDerived = false;        ///< no cloud fraction in the file: Xu & Randall
-  bool phaseDerived = false;           ///< liquid + ice in one field: split by temperature
+  bool fractionDerived = false;  ///< no cloud fraction in the file: Xu & Randall
+  bool phaseDerived = false;     ///< liquid + ice in one field: split by temperature
 };
 
 }  // namespace cloudgen::field

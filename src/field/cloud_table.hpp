@@ -9,20 +9,21 @@
 
 namespace cloudgen::field {
 
-/// A cloud layer over one model cell: what steps 2 and 3 find. Winds in m/s, heights in metres above mean sea level.
+/// A cloud layer over one model cell: what steps 2 and 3 find. Winds in m/s, heights in metres above mean sea
+/// level.
 struct Layer {
-  std::uint32_t cell = 0;   ///< grid index of the model cell
-  std::uint32_t patch = 0;  ///< layers that touch sideways and overlap in height share a patch
+  std::uint32_t cell = 0;     ///< grid index of the model cell
+  std::uint32_t patch = 0;    ///< layers that touch sideways and overlap in height share a patch
   std::uint16_t ordinal = 0;  ///< counted upwards within the cell; part of every random address
   float baseMeters = 0, topMeters = 0, surfaceMeters = 0;
-  float fraction = 0;                       ///< cover seen from above, 0..1
+  float fraction = 0;                                 ///< cover seen from above, 0..1
   float liquidOpticalDepth = 0, iceOpticalDepth = 0;  ///< vertical, in cloud
   float baseTemperatureK = 0, topTemperatureK = 0, topPressurePa = 0;
   float kIndexC = 0;
-  float windEast = 0, windNorth = 0;        ///< mean over the layer
-  float shearEast = 0, shearNorth = 0;      ///< top minus base
+  float windEast = 0, windNorth = 0;    ///< mean over the layer
+  float shearEast = 0, shearNorth = 0;  ///< top minus base
   base::Genus genus{};
-  std::string rule;                         ///< id of the rule that decided the genus
+  std::string rule;  ///< id of the rule that decided the genus
 
   float depthMeters() const { return topMeters - baseMeters; }
   float opticalDepth() const { return liquidOpticalDepth + iceOpticalDepth; }
@@ -30,12 +31,12 @@ struct Layer {
 
 /// A cloud to be made: what steps 4 and 5 decide.
 struct Cloud {
-  std::uint32_t layer = 0;     ///< index in CloudTable::layers
-  std::uint32_t ordinal = 0;   ///< counted within the layer; part of every random address
+  std::uint32_t layer = 0;    ///< index in CloudTable::layers
+  std::uint32_t ordinal = 0;  ///< counted within the layer; part of every random address
   double longitudeDegrees = 0, latitudeDegrees = 0;
   double coversSquareMeters = 0;  ///< the share of the layer's covered ground that falls to it
   float widthMeters = 0, baseMeters = 0, depthMeters = 0;
-  float opticalDepth = 0;      ///< vertical, mean over the footprint
+  float opticalDepth = 0;  ///< vertical, mean over the footprint
 };
 
 /// Steps 1 to 5 fill it column by column; production reads it.

@@ -16,7 +16,8 @@ constexpr double kHazeHeightMeters = 2200, kHazeLengthMeters = 60000;
 
 }  // namespace
 
-Backdrop::Backdrop(std::span<const Splat> splats, const Surroundings& surroundings) : surroundings_(surroundings) {
+Backdrop::Backdrop(std::span<const Splat> splats, const Surroundings& surroundings)
+    : surroundings_(surroundings) {
   if (splats.empty()) return;
   // The shadow falls along the sun; low suns are taken at 8 degrees so that it stays on the map.
   glm::dvec3 sun(surroundings.sun.direction);
@@ -41,11 +42,16 @@ Backdrop::Backdrop(std::span<const Splat> splats, const Surroundings& surroundin
     const double radius = std::max<double>(std::max(splat.sigma.x, splat.sigma.z), 0.6 * cell_);
     const double thinned = std::min(1.0, std::pow(std::max(splat.sigma.x, splat.sigma.z) / radius, 2.0));
     const float depth = static_cast<float>(-std::log(1.0 - std::min(0.995f, splat.opacity)) * thinned);
-    const auto cellOf = [&](double value, double origin) { return static_cast<int>((value - origin) / cell_); };
-    for (int z = std::max(0, cellOf(foot.y - 2 * radius, originZ_)); z <= std::min(side_ - 1, cellOf(foot.y + 2 * radius, originZ_)); ++z)
-      for (int x = std::max(0, cellOf(foot.x - 2 * radius, originX_)); x <= std::min(side_ - 1, cellOf(foot.x + 2 * radius, originX_)); ++x) {
+    const auto cellOf = [&](double value, double origin) {
+      return static_cast<int>((value - origin) / cell_);
+    };
+    for (int z = std::max(0, cellOf(foot.y - 2 * radius, originZ_));
+         z <= std::min(side_ - 1, cellOf(foot.y + 2 * radius, originZ_)); ++z)
+      for (int x = std::max(0, cellOf(foot.x - 2 * radius, originX_));
+           x <= std::min(side_ - 1, cellOf(foot.x + 2 * radius, originX_)); ++x) {
         const double dx = originX_ + (x + 0.5) * cell_ - foot.x, dz = originZ_ + (z + 0.5) * cell_ - foot.y;
-        shadowDepth_[static_cast<size_t>(z) * side_ + x] += depth * static_cast<float>(std::exp(-0.5 * (dx * dx + dz * dz) / (radius * radius)));
+        shadowDepth_[static_cast<size_t>(z) * side_ + x] +=
+            depth * static_cast<float>(std::exp(-0.5 * (dx * dx + dz * dz) / (radius * radius)));
       }
   }
 }
@@ -66,17 +72,21 @@ glm::vec3 Backdrop::skyColor(const glm::dvec3& direction) const {
   glm::vec3 color = glm::mix(sky.horizon, sky.zenith, 1.0f - std::exp(-4.5f * up));
   const float towardsSun = static_cast<float>(glm::dot(direction, glm::dvec3(surroundings_.sun.direction)));
   if (towardsSun > 0)
-    color += surroundings_.sun.color * (0.10f * std::pow(towardsSun, 8.0f) + 0.22f * std::pow(towardsSun, 90.0f) + 3.0f * std::pow(towardsSun, 12000.0f));
+    color +=
+        surroundings_.sun.color * (0.10f * std::pow(towardsSun, 8.0f) + 0.22f * std::pow(towardsSun, 90.0f) +
+                                   3.0f * std::pow(towardsSun, 12000.0f));
   return color;
 }
 
 glm::vec3 Backdrop::hazeColor(const glm::dvec3& direction) const {
-  return light::srgbFromLinear(skyColor(glm::normalize(glm::dvec3(direction.x, std::max(0.02, 0.15 * direction.y), direction.z))));
+  return light::srgbFromLinear(
+      skyColor(glm::normalize(glm::dvec3(direction.x, std::max(0.02, 0.15 * direction.y), direction.z))));
 }
 
 float Backdrop::clarity(const glm::dvec3& eye, const glm::dvec3& point) const {
   const double distance = glm::length(point - eye), rise = point.y - eye.y;
-  const double a = std::exp(-std::max(0.0, eye.y) / kHazeHeightMeters), b = std::exp(-std::max(0.0, point.y) / kHazeHeightMeters);
+  const double a = std::exp(-std::max(0.0, eye.y) / kHazeHeightMeters),
+               b = std::exp(-std::max(0.0, point.y) / kHazeHeightMeters);
   const double mean = std::abs(rise) < 1.0 ? a : kHazeHeightMeters * (a - b) / rise;
   return static_cast<float>(std::exp(-distance * std::max(0.0, mean) / kHazeLengthMeters));
 }
@@ -86,11 +96,13 @@ glm::vec3 Backdrop::colorAlong(const glm::dvec3& eye, const glm::dvec3& directio
   const double distance = (eye.y - surroundings_.groundHeightMeters) / -direction.y;
   const glm::dvec3 point = eye + direction * distance;
   const double coarse = base::fractalNoise({point.x / 9000.0, 0.5, point.z / 9000.0}, 5, 101);
-  const double fine = distance < 40000 ? base::fractalNoise({point.x / 420.0, 0.5, point.z / 420.0}, 3, 103) : 0.0;
+  const double fine =
+      distance < 40000 ? base::fractalNoise({point.x / 420.0, 0.5, point.z / 420.0}, 3, 103) : 0.0;
   // Relief of the ground fades where a pixel would hold many patches of it.
   const double seen = 1.0 / (1.0 + std::pow(distance / 150000.0, 2.0));
   glm::vec3 ground = surroundings_.sky.ground * static_cast<float>(1.0 + 0.45 * seen * coarse + 0.2 * fine);
-  ground = glm::mix(ground, glm::vec3(1.2f, 1.05f, 0.85f) * ground, static_cast<float>(seen * base::smoothStep(-0.1, 0.5, coarse)));
+  ground = glm::mix(ground, glm::vec3(1.2f, 1.05f, 0.85f) * ground,
+                    static_cast<float>(seen * base::smoothStep(-0.1, 0.5, coarse)));
   const float lit = std::exp(-0.55f * shadowAt(point.x, point.z));
   ground *= 0.38f + 0.72f * lit;
   return glm::mix(hazeColor(direction), light::srgbFromLinear(ground), clarity(eye, point));

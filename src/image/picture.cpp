@@ -12,7 +12,8 @@ namespace cloudgen::image {
 
 void writePng(const std::filesystem::path& file, const ByteImage& image) {
   const auto fail = [&](const std::string& reason) {
-    throw base::OutputError(file.string(), "cannot be written as PNG (" + reason + ")", "check the folder, its permissions and the free space");
+    throw base::OutputError(file.string(), "cannot be written as PNG (" + reason + ")",
+                            "check the folder, its permissions and the free space");
   };
   const std::filesystem::path beside = file.parent_path() / (file.stem().string() + ".part.png");
   auto writer = OIIO::ImageOutput::create("png");
@@ -41,7 +42,9 @@ void writePng(const std::filesystem::path& file, const Picture& picture) {
   ByteImage image{picture.width, picture.height, 3, {}};
   image.bytes.reserve(picture.pixels.size() * 3);
   for (const glm::vec3& pixel : picture.pixels)
-    for (int c = 0; c < 3; ++c) image.bytes.push_back(static_cast<unsigned char>(std::lround(255.0f * std::clamp(pixel[c], 0.0f, 1.0f))));
+    for (int c = 0; c < 3; ++c)
+      image.bytes.push_back(
+          static_cast<unsigned char>(std::lround(255.0f * std::clamp(pixel[c], 0.0f, 1.0f))));
   writePng(file, image);
 }
 

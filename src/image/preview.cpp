@@ -22,8 +22,8 @@ constexpr int kTile = 32;
 /// A splat on the screen: centre in pixels, inverse covariance, colour as seen from here.
 struct Drawn {
   float x = 0, y = 0, depth = 0;
-  float a = 0, b = 0, c = 0;      ///< inverse covariance, 1/px2
-  float reachX = 0, reachY = 0;   ///< half-size of the box that holds 3 deviations, px
+  float a = 0, b = 0, c = 0;     ///< inverse covariance, 1/px2
+  float reachX = 0, reachY = 0;  ///< half-size of the box that holds 3 deviations, px
   float opacity = 0;
   glm::vec3 color{0};
 };
@@ -48,8 +48,10 @@ View viewOf(const Camera& camera) {
   return view;
 }
 
-/// Elliptical weighted average projection (Zwicker et al. 2001): the covariance through the Jacobian of the perspective.
-bool project(const Splat& splat, const View& view, const Backdrop& backdrop, const glm::vec3& sunDirection, Drawn& out) {
+/// Elliptical weighted average projection (Zwicker et al. 2001): the covariance through the Jacobian of the
+/// perspective.
+bool project(const Splat& splat, const View& view, const Backdrop& backdrop, const glm::vec3& sunDirection,
+             Drawn& out) {
   const glm::dmat3 toView = glm::transpose(view.axes);
   const glm::dvec3 p = toView * (glm::dvec3(splat.center) - view.eye);
   const double distance = -p.z;
@@ -57,9 +59,11 @@ bool project(const Splat& splat, const View& view, const Backdrop& backdrop, con
   if (distance < std::max(1.0, 0.4 * static_cast<double>(largest))) return false;
   const double f = view.focal / distance;
   const glm::mat3 axes = glm::mat3_cast(splat.rotation);
-  // Off the screen the linear approximation of the perspective blows up: hold it at 1.3 times the field of view.
+  // Off the screen the linear approximation of the perspective blows up: hold it at 1.3 times the field of
+  // view.
   const double limitX = 0.65 * view.width / view.focal, limitY = 0.65 * view.height / view.focal;
-  const double slopeX = std::clamp(p.x / distance, -limitX, limitX), slopeY = std::clamp(p.y / distance, -limitY, limitY);
+  const double slopeX = std::clamp(p.x / distance, -limitX, limitX),
+               slopeY = std::clamp(p.y / distance, -limitY, limitY);
   double xx = 0.3, xy = 0, yy = 0.3;  // a pixel's own blur
   for (int i = 0; i < 3; ++i) {
     const glm::dvec3 v = toView * glm::dvec3(axes[i] * splat.sigma[i]);
@@ -72,10 +76,13 @@ bool project(const Splat& splat, const View& view, const Backdrop& backdrop, con
   out.y = static_cast<float>(0.5 * view.height - f * p.y);
   out.reachX = static_cast<float>(3.0 * std::sqrt(xx));
   out.reachY = static_cast<float>(3.0 * std::sqrt(yy));
-  if (out.x + out.reachX < 0 || out.x - out.reachX > view.width || out.y + out.reachY < 0 || out.y - out.reachY > view.height) return false;
+  if (out.x + out.reachX < 0 || out.x - out.reachX > view.width || out.y + out.reachY < 0 ||
+      out.y - out.reachY > view.height)
+    return false;
   const double determinant = xx * yy - xy * xy;
   out.a = static_cast<float>(yy / determinant);
-  out.b = static_cast<float>(xy / determinant);  // y points down on the screen: the sign of the mixed term turns
+  out.b =
+      static_cast<float>(xy / determinant);  // y points down on the screen: the sign of the mixed term turns
   out.c = static_cast<float>(xx / determinant);
   // Spread over the blur: a splat smaller than a pixel must not gain weight.
   const double own = std::max((xx - 0.3) * (yy - 0.3) - xy * xy, 0.0);
@@ -105,7 +112,8 @@ void drawTile(Picture& picture, const View& view, const Backdrop& backdrop, cons
         if (open < 0.004f) break;
       }
       if (open >= 0.004f) {
-        const glm::dvec3 ray((x + 0.5 - 0.5 * view.width) / view.focal, (0.5 * view.height - y - 0.5) / view.focal, -1.0);
+        const glm::dvec3 ray((x + 0.5 - 0.5 * view.width) / view.focal,
+                             (0.5 * view.height - y - 0.5) / view.focal, -1.0);
         color += open * backdrop.colorAlong(view.eye, glm::normalize(view.axes * ray));
       }
       picture.at(x, y) = color;
@@ -117,18 +125,23 @@ glm::dvec3 densestPlace(std::span<const Splat> splats, const glm::dvec3& lower, 
   constexpr int kSquares = 24;
   std::vector<glm::dvec4> squares(kSquares * kSquares, glm::dvec4(0));
   for (const Splat& splat : splats) {
-    const auto square = [&](double value) { return std::clamp(static_cast<int>(value / across * kSquares), 0, kSquares - 1); };
+    const auto square = [&](double value) {
+      return std::clamp(static_cast<int>(value / across * kSquares), 0, kSquares - 1);
+    };
     const double weight = splat.opacity * std::max(splat.sigma.x, splat.sigma.z);
-    squares[static_cast<size_t>(square(splat.center.z - lower.z) * kSquares + square(splat.center.x - lower.x))] +=
+    squares[static_cast<size_t>(square(splat.center.z - lower.z) * kSquares +
+                                square(splat.center.x - lower.x))] +=
         weight * glm::dvec4(glm::dvec3(splat.center), 1);
   }
-  const auto best = std::max_element(squares.begin(), squares.end(), [](const auto& a, const auto& b) { return a.w < b.w; });
+  const auto best = std::max_element(squares.begin(), squares.end(),
+                                     [](const auto& a, const auto& b) { return a.w < b.w; });
   return best->w > 0 ? glm::dvec3(*best) / best->w : glm::dvec3(lower);
 }
 
 }  // namespace
 
-Picture render(std::span<const Splat> splats, const Camera& camera, const Surroundings& surroundings, const base::Progress& progress) {
+Picture render(std::span<const Splat> splats, const Camera& camera, const Surroundings& surroundings,
+               const base::Progress& progress) {
   const View view = viewOf(camera);
   progress.step("preview: shadows", 0);
   const Backdrop backdrop(splats, surroundings);
@@ -137,29 +150,35 @@ Picture render(std::span<const Splat> splats, const Camera& camera, const Surrou
     if (Drawn one; project(splat, view, backdrop, surroundings.sun.direction, one)) drawn.push_back(one);
   std::vector<std::uint32_t> nearestFirst(drawn.size());
   std::iota(nearestFirst.begin(), nearestFirst.end(), 0u);
-  std::stable_sort(nearestFirst.begin(), nearestFirst.end(), [&](auto a, auto b) { return drawn[a].depth < drawn[b].depth; });
+  std::stable_sort(nearestFirst.begin(), nearestFirst.end(),
+                   [&](auto a, auto b) { return drawn[a].depth < drawn[b].depth; });
 
   const int columns = (view.width + kTile - 1) / kTile, rows = (view.height + kTile - 1) / kTile;
   std::vector<std::vector<std::uint32_t>> lists(static_cast<size_t>(columns) * rows);
   for (const std::uint32_t index : nearestFirst) {
     const Drawn& splat = drawn[index];
-    const auto tileOf = [](float pixel, int count) { return std::clamp(static_cast<int>(std::floor(pixel / kTile)), 0, count - 1); };
+    const auto tileOf = [](float pixel, int count) {
+      return std::clamp(static_cast<int>(std::floor(pixel / kTile)), 0, count - 1);
+    };
     for (int row = tileOf(splat.y - splat.reachY, rows); row <= tileOf(splat.y + splat.reachY, rows); ++row)
-      for (int column = tileOf(splat.x - splat.reachX, columns); column <= tileOf(splat.x + splat.reachX, columns); ++column)
+      for (int column = tileOf(splat.x - splat.reachX, columns);
+           column <= tileOf(splat.x + splat.reachX, columns); ++column)
         lists[static_cast<size_t>(row) * columns + column].push_back(index);
   }
   Picture picture(view.width, view.height);
   for (int row = 0; row < rows; ++row) {
     progress.step("preview", static_cast<double>(row) / rows);
     base::parallelFor(static_cast<size_t>(columns), [&](size_t column) {
-      drawTile(picture, view, backdrop, drawn, lists[static_cast<size_t>(row) * columns + column], static_cast<int>(column) * kTile, row * kTile);
+      drawTile(picture, view, backdrop, drawn, lists[static_cast<size_t>(row) * columns + column],
+               static_cast<int>(column) * kTile, row * kTile);
     });
   }
   progress.step("preview", 1);
   return picture;
 }
 
-Camera cameraFor(std::string_view name, std::span<const Splat> splats, const Surroundings& surroundings, int width, int height) {
+Camera cameraFor(std::string_view name, std::span<const Splat> splats, const Surroundings& surroundings,
+                 int width, int height) {
   glm::dvec3 lower(1e300), upper(-1e300), mean(0);
   double weight = 0;
   for (const Splat& splat : splats) {
@@ -185,14 +204,16 @@ Camera cameraFor(std::string_view name, std::span<const Splat> splats, const Sur
     glm::dvec3 away = glm::dvec3(sun.x * 0.4 - sun.z * 0.9, 0, sun.z * 0.4 + sun.x * 0.9);
     away /= std::max(1e-9, glm::length(away));
     const glm::dvec3 crowd = densestPlace(splats, lower, across);
-    camera.eye = glm::dvec3(crowd.x, ground + 20, crowd.z) + away * std::min(2.2 * crowd.y + 4000.0, 0.8 * across + 3000);
+    camera.eye = glm::dvec3(crowd.x, ground + 20, crowd.z) +
+                 away * std::min(2.2 * crowd.y + 4000.0, 0.8 * across + 3000);
     camera.target = glm::dvec3(crowd.x, std::min(0.6 * upper.y, crowd.y * 1.2), crowd.z);
     camera.verticalFieldDegrees = 55;
   } else if (name == "horizon") {
     camera.eye = {mean.x, 1.15 * upper.y + 0.05 * across, upper.z + 0.12 * across};
     camera.target = {mean.x, 0.4 * mean.y, mean.z};
   } else {
-    throw base::UsageError("--view " + std::string(name), "is not a known view", "use top, ground, horizon or EYE:TARGET as lon,lat,height:lon,lat,height");
+    throw base::UsageError("--view " + std::string(name), "is not a known view",
+                           "use top, ground, horizon or EYE:TARGET as lon,lat,height:lon,lat,height");
   }
   return camera;
 }

@@ -16,8 +16,8 @@ struct Splat {
   glm::vec3 center{0}, sigma{1};
   glm::quat rotation{1, 0, 0, 0};
   float opacity = 1;
-  glm::vec3 color{1};          ///< display-encoded (sRGB)
-  glm::vec3 towardsSun{0};     ///< added when one looks straight towards the sun, subtracted when away from it
+  glm::vec3 color{1};       ///< display-encoded (sRGB)
+  glm::vec3 towardsSun{0};  ///< added when one looks straight towards the sun, subtracted when away from it
 };
 
 struct Camera {
@@ -33,12 +33,14 @@ struct Surroundings {
   float groundHeightMeters = 0;
 };
 
-/// Draws splats over sky and ground, nearest first, with haze that thins with height and the clouds' shadow on the
-/// ground. The same pixels for any number of threads.
-Picture render(std::span<const Splat> splats, const Camera& camera, const Surroundings& surroundings, const base::Progress& progress);
+/// Draws splats over sky and ground, nearest first, with haze that thins with height and the clouds' shadow
+/// on the ground. The same pixels for any number of threads.
+Picture render(std::span<const Splat> splats, const Camera& camera, const Surroundings& surroundings,
+               const base::Progress& progress);
 
-/// Cameras that need no thought: straight down on everything, from the ground towards the clouds, and over the cloud tops
-/// towards the horizon. `view` is "top", "ground" or "horizon".
-Camera cameraFor(std::string_view view, std::span<const Splat> splats, const Surroundings& surroundings, int width, int height);
+/// Cameras that need no thought: straight down on everything, from the ground towards the clouds, and over
+/// the cloud tops towards the horizon. `view` is "top", "ground" or "horizon".
+Camera cameraFor(std::string_view view, std::span<const Splat> splats, const Surroundings& surroundings,
+                 int width, int height);
 
 }  // namespace cloudgen::image

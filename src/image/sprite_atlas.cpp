@@ -10,16 +10,19 @@
 namespace cloudgen::image {
 
 glm::vec4 SpriteAtlas::textureBox(int tile) const {
-  const float insetU = 0.5f / static_cast<float>(columns * tilePixels), insetV = 0.5f / static_cast<float>(rows * tilePixels);
+  const float insetU = 0.5f / static_cast<float>(columns * tilePixels),
+              insetV = 0.5f / static_cast<float>(rows * tilePixels);
   const float column = static_cast<float>(tile % columns), row = static_cast<float>(tile / columns);
   return {column / static_cast<float>(columns) + insetU, 1.0f - (row + 1) / static_cast<float>(rows) + insetV,
-          (column + 1) / static_cast<float>(columns) - insetU, 1.0f - row / static_cast<float>(rows) - insetV};
+          (column + 1) / static_cast<float>(columns) - insetU,
+          1.0f - row / static_cast<float>(rows) - insetV};
 }
 
 std::vector<SpriteAtlas> readSpriteManifest(const std::filesystem::path& texturesFolder) {
   const auto file = texturesFolder / "manifest.json";
   const auto fail = [&](const std::string& what) {
-    throw base::InputError(file.string(), what, "make the set again with: cloudgen textures -o " + texturesFolder.string());
+    throw base::InputError(file.string(), what,
+                           "make the set again with: cloudgen textures -o " + texturesFolder.string());
   };
   std::vector<SpriteAtlas> atlases;
   try {
@@ -33,7 +36,8 @@ std::vector<SpriteAtlas> readSpriteManifest(const std::filesystem::path& texture
       atlas.columns = entry.at("columns");
       atlas.rows = entry.at("rows");
       atlas.tilePixels = entry.at("tile_pixels");
-      if (atlas.file.find_first_of("/\\") != std::string::npos || atlas.columns < 1 || atlas.rows < 1 || atlas.tilePixels < 2)
+      if (atlas.file.find_first_of("/\\") != std::string::npos || atlas.columns < 1 || atlas.rows < 1 ||
+          atlas.tilePixels < 2)
         fail("has an atlas with a bad file name or size");
       atlases.push_back(atlas);
     }
@@ -47,7 +51,8 @@ std::vector<SpriteAtlas> readSpriteManifest(const std::filesystem::path& texture
 }
 
 const SpriteAtlas& atlasOf(const std::vector<SpriteAtlas>& atlases, base::Genus genus) {
-  return *std::find_if(atlases.begin(), atlases.end(), [&](const auto& atlas) { return atlas.genus == genus; });
+  return *std::find_if(atlases.begin(), atlases.end(),
+                       [&](const auto& atlas) { return atlas.genus == genus; });
 }
 
 }  // namespace cloudgen::image

@@ -21,7 +21,8 @@ struct SpriteAtlas {
   glm::vec4 textureBox(int tile) const;
 };
 
-/// Reads textures/manifest.json: one atlas a genus. Throws InputError if it is missing, malformed or lacks a genus.
+/// Reads textures/manifest.json: one atlas a genus. Throws InputError if it is missing, malformed or lacks a
+/// genus.
 std::vector<SpriteAtlas> readSpriteManifest(const std::filesystem::path& texturesFolder);
 
 /// The atlas of a genus; there always is one in what readSpriteManifest returned.

@@ -13,7 +13,8 @@ ExtinctionGrid::ExtinctionGrid(std::span<const shape::Puff> puffs, int cellsAlon
   const float longest = std::max({size.x, size.y, size.z, 1.0f});
   // Flat clouds get finer cells, so that their depth is resolved by a few.
   const float shortest = std::max(std::min({size.x, size.y, size.z}), longest / 64.0f);
-  cell_ = std::max(std::min(longest / static_cast<float>(cellsAlongLongest), shortest / 6.0f), longest / 160.0f);
+  cell_ =
+      std::max(std::min(longest / static_cast<float>(cellsAlongLongest), shortest / 6.0f), longest / 160.0f);
   lower_ = bounds.lower - glm::vec3(cell_);
   nx_ = static_cast<int>(size.x / cell_) + 3;
   ny_ = static_cast<int>(size.y / cell_) + 3;
@@ -25,7 +26,8 @@ ExtinctionGrid::ExtinctionGrid(std::span<const shape::Puff> puffs, int cellsAlon
   for (const shape::Puff& puff : puffs) {
     const shape::Bounds own = shape::boundsOf({&puff, 1}, 2.0f);
     const glm::ivec3 from = glm::max(glm::ivec3((own.lower - lower_) / cell_), glm::ivec3(0));
-    const glm::ivec3 to = glm::min(glm::ivec3((own.upper - lower_) / cell_), glm::ivec3(nx_ - 1, ny_ - 1, nz_ - 1));
+    const glm::ivec3 to =
+        glm::min(glm::ivec3((own.upper - lower_) / cell_), glm::ivec3(nx_ - 1, ny_ - 1, nz_ - 1));
     const glm::vec3 blurred = glm::max(puff.sigma, glm::vec3(0.45f * cell_));
     const glm::quat inverse = glm::conjugate(puff.rotation);
     weights.clear();
@@ -39,11 +41,13 @@ ExtinctionGrid::ExtinctionGrid(std::span<const shape::Puff> puffs, int cellsAlon
           total += weights.back();
         }
     if (total <= 0) continue;
-    const float scale = static_cast<float>(shape::extinctionArea(puff) / (total * std::pow(static_cast<double>(cell_), 3)));
+    const float scale =
+        static_cast<float>(shape::extinctionArea(puff) / (total * std::pow(static_cast<double>(cell_), 3)));
     size_t next = 0;
     for (int z = from.z; z <= to.z; ++z)
       for (int y = from.y; y <= to.y; ++y)
-        for (int x = from.x; x <= to.x; ++x) values_[(static_cast<size_t>(z) * ny_ + y) * nx_ + x] += scale * weights[next++];
+        for (int x = from.x; x <= to.x; ++x)
+          values_[(static_cast<size_t>(z) * ny_ + y) * nx_ + x] += scale * weights[next++];
   }
 }
 
@@ -57,7 +61,8 @@ float ExtinctionGrid::extinction(const glm::vec3& point) const {
   const glm::vec3 f = glm::floor(p), t = p - f;
   const int x = static_cast<int>(f.x), y = static_cast<int>(f.y), z = static_cast<int>(f.z);
   const auto along = [&](int j, int k) { return glm::mix(at(x, j, k), at(x + 1, j, k), t.x); };
-  return glm::mix(glm::mix(along(y, z), along(y + 1, z), t.y), glm::mix(along(y, z + 1), along(y + 1, z + 1), t.y), t.z);
+  return glm::mix(glm::mix(along(y, z), along(y + 1, z), t.y),
+                  glm::mix(along(y, z + 1), along(y + 1, z + 1), t.y), t.z);
 }
 
 glm::vec3 ExtinctionGrid::gradient(const glm::vec3& point) const {
@@ -70,12 +75,14 @@ glm::vec3 ExtinctionGrid::gradient(const glm::vec3& point) const {
   return out;
 }
 
-float ExtinctionGrid::opticalDepth(const glm::vec3& from, const glm::vec3& direction, float skipMeters) const {
+float ExtinctionGrid::opticalDepth(const glm::vec3& from, const glm::vec3& direction,
+                                   float skipMeters) const {
   const glm::vec3 upper = lower_ + glm::vec3(nx_, ny_, nz_) * cell_;
   float leave = 1e30f;
   for (int axis = 0; axis < 3; ++axis)
     if (std::abs(direction[axis]) > 1e-6f)
-      leave = std::min(leave, ((direction[axis] > 0 ? upper[axis] : lower_[axis]) - from[axis]) / direction[axis]);
+      leave = std::min(leave,
+                       ((direction[axis] > 0 ? upper[axis] : lower_[axis]) - from[axis]) / direction[axis]);
   const float step = 0.7f * cell_;
   float depth = 0;
   for (float along = skipMeters + 0.5f * step; along < leave; along += step) {

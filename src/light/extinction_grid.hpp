@@ -12,11 +12,12 @@ namespace cloudgen::light {
 /// The extinction of a set of puffs on a regular voxel grid, for optical depths between them.
 class ExtinctionGrid {
  public:
-  /// About `cellsAlongLongest` cells along the longest side of the puffs' box; the puffs' extinction area is kept exactly.
+  /// About `cellsAlongLongest` cells along the longest side of the puffs' box; the puffs' extinction area is
+  /// kept exactly.
   ExtinctionGrid(std::span<const shape::Puff> puffs, int cellsAlongLongest);
 
-  /// Optical depth from a point to the edge of the grid along a unit direction (trilinear samples at half-cell steps),
-  /// leaving out the first `skipMeters`.
+  /// Optical depth from a point to the edge of the grid along a unit direction (trilinear samples at
+  /// half-cell steps), leaving out the first `skipMeters`.
   float opticalDepth(const glm::vec3& from, const glm::vec3& direction, float skipMeters) const;
   /// Extinction per metre at a point, trilinear; 0 outside.
   float extinction(const glm::vec3& point) const;

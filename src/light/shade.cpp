@@ -44,31 +44,39 @@ glm::vec3 shoulder(glm::vec3 color) {
 
 }  // namespace
 
-std::vector<PuffLight> shadePuffs(std::span<const shape::Puff> puffs, const ExtinctionGrid& grid, const Lighting& lighting, float shading) {
+std::vector<PuffLight> shadePuffs(std::span<const shape::Puff> puffs, const ExtinctionGrid& grid,
+                                  const Lighting& lighting, float shading) {
   const float exposure = exposureFor(lighting);
   std::vector<PuffLight> lights(puffs.size());
   for (size_t i = 0; i < puffs.size(); ++i) {
     const shape::Puff& puff = puffs[i];
     // What is seen of a puff is its skin: its own body, out to a little over a deviation, does not shade it.
     const auto depthTowards = [&](const glm::vec3& direction) {
-      return grid.opticalDepth(puff.center, direction, std::max(kSkin * reachAlong(puff, direction), 0.5f * grid.cellMeters()));
+      return grid.opticalDepth(puff.center, direction,
+                               std::max(kSkin * reachAlong(puff, direction), 0.5f * grid.cellMeters()));
     };
-    const float toSun = depthTowards(lighting.sunDirection), up = depthTowards({0, 1, 0}), down = depthTowards({0, -1, 0});
-    // Relief: how squarely the surface here faces the sun; inside the cloud, where the gradient is weak, none.
+    const float toSun = depthTowards(lighting.sunDirection), up = depthTowards({0, 1, 0}),
+                down = depthTowards({0, -1, 0});
+    // Relief: how squarely the surface here faces the sun; inside the cloud, where the gradient is weak,
+    // none.
     const glm::vec3 gradient = grid.gradient(puff.center);
     const float strength = glm::length(gradient), here = grid.extinction(puff.center);
     const float surface = strength / (strength + 0.8f * here + 1e-9f);
     const glm::vec3 normal = strength > 0 ? -gradient / strength : glm::vec3(0, 1, 0);
     const float facing = 0.5f + 0.5f * glm::dot(normal, lighting.sunDirection);
     const float relief = glm::mix(1.0f, 0.26f + 0.92f * facing, shading * std::min(1.0f, 1.6f * surface));
-    const float open = glm::mix(1.0f, 0.72f + 0.38f * (0.5f + 0.5f * normal.y), shading * std::min(1.0f, 1.6f * surface));
+    const float open =
+        glm::mix(1.0f, 0.72f + 0.38f * (0.5f + 0.5f * normal.y), shading * std::min(1.0f, 1.6f * surface));
 
-    // Similarity (van de Hulst 1980): strongly forward scattering acts as isotropic scattering at (1 - g) tau, g = 0.85.
+    // Similarity (van de Hulst 1980): strongly forward scattering acts as isotropic scattering at (1 - g)
+    // tau, g = 0.85.
     const float reduced = 0.15f;
-    const float sun = glm::mix(scatteredShare(0.3f * reduced * toSun), scatteredShare(reduced * toSun), shading);
+    const float sun =
+        glm::mix(scatteredShare(0.3f * reduced * toSun), scatteredShare(reduced * toSun), shading);
     const float sky = 0.20f + 0.80f * std::exp(-0.07f * shading * up);
     const float ground = std::exp(-0.10f * down);
-    const glm::vec3 radiance = kSun * lighting.sunColor * (sun * relief) + kSky * lighting.sky.ambient * (sky * open) +
+    const glm::vec3 radiance = kSun * lighting.sunColor * (sun * relief) +
+                               kSky * lighting.sky.ambient * (sky * open) +
                                0.6f * lighting.sky.bounce * ground;
     lights[i].color = shoulder(exposure * radiance);
     lights[i].forward = 0.24f * std::exp(-0.6f * toSun);

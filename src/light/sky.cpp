@@ -29,8 +29,8 @@ Sun sunFrom(double azimuthDegrees, double elevationDegrees) {
   const double azimuth = radians(azimuthDegrees), elevation = radians(elevationDegrees);
   sun.direction = glm::vec3(std::sin(azimuth) * std::cos(elevation), std::sin(elevation),
                             -std::cos(azimuth) * std::cos(elevation));
-  // Rayleigh optical depths of one air mass at 680, 550 and 440 nm (0.042, 0.098, 0.240; Bodhaine et al. 1999) plus a
-  // clear-air aerosol of 0.05, 0.06, 0.08; white at one air mass, so that noon is neutral.
+  // Rayleigh optical depths of one air mass at 680, 550 and 440 nm (0.042, 0.098, 0.240; Bodhaine et al.
+  // 1999) plus a clear-air aerosol of 0.05, 0.06, 0.08; white at one air mass, so that noon is neutral.
   const double path = airMass(elevationDegrees) - 1.0;
   sun.color = glm::vec3(std::exp(-0.092 * path), std::exp(-0.158 * path), std::exp(-0.320 * path));
   sun.color = glm::max(sun.color, glm::vec3(0.02f, 0.012f, 0.006f));
@@ -58,7 +58,8 @@ Sky skyUnder(const Sun& sun) {
   sky.horizon = day * glm::mix(glm::vec3(0.55f, 0.70f, 0.86f), glm::vec3(0.86f, 0.55f, 0.36f), low * low);
   sky.ground = day * glm::mix(glm::vec3(0.13f, 0.17f, 0.09f), glm::vec3(0.09f, 0.09f, 0.06f), low);
   sky.ambient = day * glm::mix(glm::vec3(0.36f, 0.43f, 0.53f), glm::vec3(0.26f, 0.27f, 0.35f), low);
-  sky.bounce = sky.ground * glm::vec3(0.85f) * static_cast<float>(std::max(0.15, std::sin(radians(sun.elevationDegrees)))) +
+  sky.bounce = sky.ground * glm::vec3(0.85f) *
+                   static_cast<float>(std::max(0.15, std::sin(radians(sun.elevationDegrees)))) +
                0.12f * sky.ambient;
   return sky;
 }

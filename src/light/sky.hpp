@@ -17,8 +17,8 @@ struct Sun {
 /// Colours of the clear sky and the ground, display-linear.
 struct Sky {
   glm::vec3 zenith{0}, horizon{0}, ground{0};
-  glm::vec3 ambient{0};          ///< mean sky light on a cloud from above
-  glm::vec3 bounce{0};           ///< light from the ground on a cloud from below
+  glm::vec3 ambient{0};  ///< mean sky light on a cloud from above
+  glm::vec3 bounce{0};   ///< light from the ground on a cloud from below
 };
 
 /// Where the sun stands (libnova: Meeus, Astronomical Algorithms), refraction not included.

@@ -15,7 +15,8 @@ double shareInside(const field::Grid& grid, std::uint32_t cell, const base::GeoB
   const double halfX = 0.5 * std::abs(grid.stepX), halfY = 0.5 * std::abs(grid.stepY);
   const double west = base::wrappedLongitude(center.longitudeDegrees - box.centerLongitude());
   const double x = std::min(west + halfX, 0.5 * box.width()) - std::max(west - halfX, -0.5 * box.width());
-  const double y = std::min(center.latitudeDegrees + halfY, box.north) - std::max(center.latitudeDegrees - halfY, box.south);
+  const double y = std::min(center.latitudeDegrees + halfY, box.north) -
+                   std::max(center.latitudeDegrees - halfY, box.south);
   return std::clamp(x / (2 * halfX), 0.0, 1.0) * std::clamp(y / (2 * halfY), 0.0, 1.0);
 }
 
@@ -23,23 +24,35 @@ double shareInside(const field::Grid& grid, std::uint32_t cell, const base::GeoB
 
 int fewestPuffs(const shape::Recipe& recipe) {
   switch (recipe.form) {
-    case shape::Form::Heap: return 5 * recipe.billboards;
-    case shape::Form::Tower: return 8 * recipe.sections * recipe.billboards;
-    case shape::Form::Cells: return 110;
-    case shape::Form::Veil: return 70;
-    case shape::Form::Filaments: break;
+    case shape::Form::Heap:
+      return 5 * recipe.billboards;
+    case shape::Form::Tower:
+      return 8 * recipe.sections * recipe.billboards;
+    case shape::Form::Cells:
+      return 110;
+    case shape::Form::Veil:
+      return 70;
+    case shape::Form::Filaments:
+      break;
   }
   return recipe.sections * recipe.billboards;
 }
 
 double naturalWidthMeters(const shape::Recipe& recipe, double depthMeters) {
-  const auto within = [&](double width) { return std::clamp<double>(width, recipe.widthMeters.low, recipe.widthMeters.high); };
+  const auto within = [&](double width) {
+    return std::clamp<double>(width, recipe.widthMeters.low, recipe.widthMeters.high);
+  };
   switch (recipe.form) {
-    case shape::Form::Heap: return within(1.1 * depthMeters);
-    case shape::Form::Tower: return within(1.9 * depthMeters);
-    case shape::Form::Cells: return within(22.0 * depthMeters);
-    case shape::Form::Veil: return within(25.0 * depthMeters);
-    case shape::Form::Filaments: break;
+    case shape::Form::Heap:
+      return within(1.1 * depthMeters);
+    case shape::Form::Tower:
+      return within(1.9 * depthMeters);
+    case shape::Form::Cells:
+      return within(22.0 * depthMeters);
+    case shape::Form::Veil:
+      return within(25.0 * depthMeters);
+    case shape::Form::Filaments:
+      break;
   }
   return within(10.0 * depthMeters);
 }
@@ -55,7 +68,8 @@ double meanWidthMeters(const Generalisation& general, const shape::Recipe& recip
   return std::min(natural * general.enlargement, std::max(natural, general.widestMeters));
 }
 
-Generalisation generalise(const field::Grid& grid, std::span<const field::Layer> layers, const Options& options, const base::GeoBox& box) {
+Generalisation generalise(const field::Grid& grid, std::span<const field::Layer> layers,
+                          const Options& options, const base::GeoBox& box) {
   Generalisation out;
   std::vector<double> areas;
   double cellArea = 0;
@@ -70,11 +84,13 @@ Generalisation generalise(const field::Grid& grid, std::span<const field::Layer>
     double puffs = 0;
     for (std::size_t i = 0; i < layers.size(); ++i) {
       const shape::Recipe& recipe = options.recipes.of(layers[i].genus);
-      puffs += fewestPuffs(recipe) * areas[i] / coveredSquareMeters(recipe, meanWidthMeters(out, recipe, layers[i].depthMeters()));
+      puffs += fewestPuffs(recipe) * areas[i] /
+               coveredSquareMeters(recipe, meanWidthMeters(out, recipe, layers[i].depthMeters()));
     }
     return puffs;
   };
-  // Where clouds as wide as they may be still take more than the budget, they need not be wider than that takes.
+  // Where clouds as wide as they may be still take more than the budget, they need not be wider than that
+  // takes.
   const double budget = std::max(static_cast<double>(options.maxPuffs), 1.001 * coarsestPuffs(1000));
   double enough = 1;
   if (coarsestPuffs(1) > budget) {
@@ -87,7 +103,8 @@ Generalisation generalise(const field::Grid& grid, std::span<const field::Layer>
   }
   const double richness = std::clamp(budget / std::max(coarsestPuffs(enough), 1.0), 1.0, 400.0);
   for (const base::Genus genus : base::allGenera())
-    out.puffsPerCloud[static_cast<size_t>(genus)] = static_cast<int>(fewestPuffs(options.recipes.of(genus)) * richness);
+    out.puffsPerCloud[static_cast<size_t>(genus)] =
+        static_cast<int>(fewestPuffs(options.recipes.of(genus)) * richness);
   return out;
 }
 

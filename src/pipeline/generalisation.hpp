@@ -10,10 +10,11 @@
 
 namespace cloudgen::pipeline {
 
-/// How the puff budget is spent: as in cartography, a small budget draws fewer and larger clouds of the same cover and water.
+/// How the puff budget is spent: as in cartography, a small budget draws fewer and larger clouds of the same
+/// cover and water.
 struct Generalisation {
-  double enlargement = 1;                            ///< widths times this, >= 1, as far as widestMeters lets them
-  double widestMeters = 1e9;                         ///< enlarged clouds stay within half a model cell
+  double enlargement = 1;     ///< widths times this, >= 1, as far as widestMeters lets them
+  double widestMeters = 1e9;  ///< enlarged clouds stay within half a model cell
   std::array<int, base::kGenusCount> puffsPerCloud;  ///< one level of detail a genus
 };
 
@@ -23,14 +24,15 @@ int fewestPuffs(const shape::Recipe& recipe);
 /// Width of a cloud of a layer before enlargement, metres: heaps follow their depth, sheets the recipe.
 double naturalWidthMeters(const shape::Recipe& recipe, double depthMeters);
 
-/// Ground that one cloud stands for when its layer is continuous: its footprint, or for sheets the square of the spacing at which
-/// elements overlap to an even cover.
+/// Ground that one cloud stands for when its layer is continuous: its footprint, or for sheets the square of
+/// the spacing at which elements overlap to an even cover.
 double coveredSquareMeters(const shape::Recipe& recipe, double widthMeters);
 
 /// Mean width of a layer's clouds, enlarged.
 double meanWidthMeters(const Generalisation& general, const shape::Recipe& recipe, double depthMeters);
 
 /// Enlargement and level of detail such that all clouds of the layers inside the box take about `maxPuffs`.
-Generalisation generalise(const field::Grid& grid, std::span<const field::Layer> layers, const Options& options, const base::GeoBox& box);
+Generalisation generalise(const field::Grid& grid, std::span<const field::Layer> layers,
+                          const Options& options, const base::GeoBox& box);
 
 }  // namespace cloudgen::pipeline

@@ -20,11 +20,13 @@ bool startsLayer(std::span<const CloudCell> cells, size_t i, float thickestBelow
   if (cells[i].level != cells[i - 1].level + 1) return true;
   const float here = gridMeanExtinction(cells[i - 1]);
   float above = 0;
-  for (size_t k = i; k < cells.size() && cells[k].level == cells[k - 1].level + 1; ++k) above = std::max(above, gridMeanExtinction(cells[k]));
+  for (size_t k = i; k < cells.size() && cells[k].level == cells[k - 1].level + 1; ++k)
+    above = std::max(above, gridMeanExtinction(cells[k]));
   return here < 0.1f * thickestBelow && here < 0.1f * above;
 }
 
-Layer layerOf(std::span<const CloudCell> cells, const field::ColumnState& state, std::uint32_t cell, std::uint16_t ordinal) {
+Layer layerOf(std::span<const CloudCell> cells, const field::ColumnState& state, std::uint32_t cell,
+              std::uint16_t ordinal) {
   Layer layer;
   layer.cell = cell;
   layer.ordinal = ordinal;
@@ -54,7 +56,9 @@ Layer layerOf(std::span<const CloudCell> cells, const field::ColumnState& state,
   return layer;
 }
 
-float overlap(const Layer& a, const Layer& b) { return std::min(a.topMeters, b.topMeters) - std::max(a.baseMeters, b.baseMeters); }
+float overlap(const Layer& a, const Layer& b) {
+  return std::min(a.topMeters, b.topMeters) - std::max(a.baseMeters, b.baseMeters);
+}
 
 /// Disjoint sets with path halving.
 struct Sets {
@@ -77,13 +81,16 @@ std::vector<Layer> locateLayers(const field::CloudColumns& columns) {
   constexpr float kLeastOpticalDepth = 0.03f;  // subvisible below (Sassen et al. 1989)
   std::vector<Layer> layers;
   for (size_t c = 0; c < columns.columns.size(); ++c) {
-    const std::span<const CloudCell> all(columns.cells.data() + columns.start[c], columns.start[c + 1] - columns.start[c]);
+    const std::span<const CloudCell> all(columns.cells.data() + columns.start[c],
+                                         columns.start[c + 1] - columns.start[c]);
     std::uint16_t ordinal = 0;
     for (size_t first = 0; first < all.size();) {
       size_t end = first + 1;
       float thickest = gridMeanExtinction(all[first]);
-      while (end < all.size() && !startsLayer(all, end, thickest)) thickest = std::max(thickest, gridMeanExtinction(all[end++]));
-      const Layer layer = layerOf(all.subspan(first, end - first), columns.states[c], columns.columns[c], ordinal++);
+      while (end < all.size() && !startsLayer(all, end, thickest))
+        thickest = std::max(thickest, gridMeanExtinction(all[end++]));
+      const Layer layer =
+          layerOf(all.subspan(first, end - first), columns.states[c], columns.columns[c], ordinal++);
       if (layer.opticalDepth() >= kLeastOpticalDepth) layers.push_back(layer);
       first = end;
     }
@@ -124,11 +131,14 @@ std::uint32_t joinPatches(const field::Grid& grid, std::vector<Layer>& layers) {
       if (found == byCell.end()) continue;
       for (const std::uint32_t a : here)
         for (const std::uint32_t b : found->second)
-          if (overlap(layers[a], layers[b]) > 0.5f * std::min(layers[a].depthMeters(), layers[b].depthMeters())) sets.join(a, b);
+          if (overlap(layers[a], layers[b]) >
+              0.5f * std::min(layers[a].depthMeters(), layers[b].depthMeters()))
+            sets.join(a, b);
     }
   std::map<std::uint32_t, std::uint32_t> numbers;
   for (std::uint32_t i = 0; i < layers.size(); ++i)
-    layers[i].patch = numbers.try_emplace(sets.root(i), static_cast<std::uint32_t>(numbers.size())).first->second;
+    layers[i].patch =
+        numbers.try_emplace(sets.root(i), static_cast<std::uint32_t>(numbers.size())).first->second;
   return static_cast<std::uint32_t>(numbers.size());
 }
 

@@ -10,16 +10,16 @@
 
 namespace cloudgen::pipeline {
 
-/// Step 2: the cloudy layers of each column, from the cells up: a layer ends at a clear level, or where the water falls
-/// under a tenth of what is below and above. Its cover is the largest fraction of its levels (maximum overlap within a layer); its
-/// optical depth keeps the column's grid-mean optical depth.
+/// Step 2: the cloudy layers of each column, from the cells up: a layer ends at a clear level, or where the
+/// water falls under a tenth of what is below and above. Its cover is the largest fraction of its levels
+/// (maximum overlap within a layer); its optical depth keeps the column's grid-mean optical depth.
 std::vector<field::Layer> locateLayers(const field::CloudColumns& columns);
 
 /// The same from layers that a source states outright.
 std::vector<field::Layer> locateLayers(const field::Grid& grid, std::span<const field::TypedLayer> typed);
 
-/// Numbers the patches: layers of neighbouring cells that overlap in height by half of the thinner one belong together.
-/// Returns the number of patches.
+/// Numbers the patches: layers of neighbouring cells that overlap in height by half of the thinner one belong
+/// together. Returns the number of patches.
 std::uint32_t joinPatches(const field::Grid& grid, std::vector<field::Layer>& layers);
 
 }  // namespace cloudgen::pipeline

@@ -12,10 +12,10 @@ namespace cloudgen::pipeline {
 
 /// What the user may choose of a build.
 struct Options {
-  std::optional<base::GeoBox> box;                        ///< nothing: the whole grid
+  std::optional<base::GeoBox> box;  ///< nothing: the whole grid
   std::uint64_t seed = 1;
-  std::uint64_t maxPuffs = 200'000;                       ///< drawn puffs, all clouds together
-  std::optional<std::pair<double, double>> sunDegrees;    ///< azimuth, elevation; nothing: from time and place
+  std::uint64_t maxPuffs = 200'000;                     ///< drawn puffs, all clouds together
+  std::optional<std::pair<double, double>> sunDegrees;  ///< azimuth, elevation; nothing: from time and place
   RecipeBook recipes;
 };
 

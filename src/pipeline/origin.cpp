@@ -12,7 +12,9 @@ namespace {
 
 constexpr double kLowestSunDegrees = 8.0;
 
-std::string boxText(const base::GeoBox& box) { return fmt::format("{:g},{:g},{:g},{:g}", box.west, box.south, box.east, box.north); }
+std::string boxText(const base::GeoBox& box) {
+  return fmt::format("{:g},{:g},{:g},{:g}", box.west, box.south, box.east, box.north);
+}
 
 /// The same day's moment at which the mean sun stands where it does at 10 h local time.
 base::UtcTime tenOClock(base::UtcTime time, double longitudeDegrees) {
@@ -20,17 +22,20 @@ base::UtcTime tenOClock(base::UtcTime time, double longitudeDegrees) {
   return {dayStart + static_cast<std::int64_t>(std::lround((10.0 - longitudeDegrees / 15.0) * 3600.0))};
 }
 
-light::Sun sunFor(const field::Source& source, const base::GeoBox& box, const Options& options, std::vector<std::string>& warnings) {
+light::Sun sunFor(const field::Source& source, const base::GeoBox& box, const Options& options,
+                  std::vector<std::string>& warnings) {
   if (options.sunDegrees) return light::sunFrom(options.sunDegrees->first, options.sunDegrees->second);
   const base::UtcTime time = source.info().validTime;
   const double longitude = box.centerLongitude(), latitude = box.centerLatitude();
   const light::Sun real = light::sunAt(time, longitude, latitude);
   if (real.elevationDegrees >= kLowestSunDegrees) return real;
   light::Sun standIn = light::sunAt(tenOClock(time, longitude), longitude, latitude);
-  if (standIn.elevationDegrees < kLowestSunDegrees) standIn = light::sunFrom(standIn.azimuthDegrees, kLowestSunDegrees);
-  warnings.push_back(fmt::format("at {} the sun stands at {:.1f} degrees: the scene is lit as at 10 h local solar time "
-                                 "(azimuth {:.0f}, elevation {:.0f}); choose another light with --sun",
-                                 base::isoText(time), real.elevationDegrees, standIn.azimuthDegrees, standIn.elevationDegrees));
+  if (standIn.elevationDegrees < kLowestSunDegrees)
+    standIn = light::sunFrom(standIn.azimuthDegrees, kLowestSunDegrees);
+  warnings.push_back(fmt::format(
+      "at {} the sun stands at {:.1f} degrees: the scene is lit as at 10 h local solar time "
+      "(azimuth {:.0f}, elevation {:.0f}); choose another light with --sun",
+      base::isoText(time), real.elevationDegrees, standIn.azimuthDegrees, standIn.elevationDegrees));
   return standIn;
 }
 
@@ -41,7 +46,8 @@ Origin locateOrigin(const field::Source& source, const Options& options) {
   const base::GeoBox box = options.box.value_or(whole);
   auto cells = field::cellsTouching(source.grid(), box);
   if (cells.empty())
-    throw base::InputError("--bbox " + boxText(box), "lies outside the model's domain " + boxText(whole), "choose a box inside the domain");
+    throw base::InputError("--bbox " + boxText(box), "lies outside the model's domain " + boxText(whole),
+                           "choose a box inside the domain");
   Origin origin{base::LocalFrame(box), std::move(cells), {}, {}, {}};
   origin.sun = sunFor(source, box, options, origin.warnings);
   origin.sky = light::skyUnder(origin.sun);

@@ -13,14 +13,14 @@ namespace cloudgen::pipeline {
 /// Step 1: where and when the scene is.
 struct Origin {
   base::LocalFrame frame;
-  std::vector<std::uint32_t> cells;      ///< grid cells that touch the box, ascending
+  std::vector<std::uint32_t> cells;  ///< grid cells that touch the box, ascending
   light::Sun sun;
   light::Sky sky;
   std::vector<std::string> warnings;
 };
 
-/// Scene frame, the model cells in it, and the sun. A sun below 8 degrees leaves a scene nobody can judge: it is then lit as
-/// at 10 h local solar time of the same day, and a warning says so; --sun decides otherwise.
+/// Scene frame, the model cells in it, and the sun. A sun below 8 degrees leaves a scene nobody can judge: it
+/// is then lit as at 10 h local solar time of the same day, and a warning says so; --sun decides otherwise.
 /// Throws InputError if the box lies outside the grid.
 Origin locateOrigin(const field::Source& source, const Options& options);
 

@@ -25,8 +25,11 @@ std::vector<field::Layer> layersFrom(const field::Source& source, const Origin& 
   }
   const field::CloudColumns columns = field::collectColumns(source, origin.cells);
   outcome.cells = columns.cells.size();
-  if (columns.fractionDerived) outcome.derived.emplace_back("cloud fraction", "Xu & Randall 1996 from relative humidity and condensate");
-  if (columns.phaseDerived) outcome.derived.emplace_back("liquid and ice", "condensate split by temperature: all liquid from 0 C, all ice to -23 C");
+  if (columns.fractionDerived)
+    outcome.derived.emplace_back("cloud fraction", "Xu & Randall 1996 from relative humidity and condensate");
+  if (columns.phaseDerived)
+    outcome.derived.emplace_back("liquid and ice",
+                                 "condensate split by temperature: all liquid from 0 C, all ice to -23 C");
   outcome.derived.emplace_back("cover of a layer", "maximum overlap of its levels");
   outcome.derived.emplace_back("genus", "rules in the order of CDFS II: signature, extent, height");
   return locateLayers(columns);
@@ -72,12 +75,17 @@ Outcome run(const field::Source& source, const Options& options, const base::Pro
   outcome.warnings = source.info().warnings;
   outcome.warnings.insert(outcome.warnings.end(), origin.warnings.begin(), origin.warnings.end());
   if (general.enlargement > 1.01)
-    outcome.warnings.push_back(fmt::format("the puff budget of {} draws clouds {:.1f} times as wide as natural, and fewer; raise --max-puffs or take a smaller --bbox for natural sizes",
-                                           options.maxPuffs, general.enlargement));
+    outcome.warnings.push_back(
+        fmt::format("the puff budget of {} draws clouds {:.1f} times as wide as natural, and fewer; raise "
+                    "--max-puffs or take a smaller --bbox for natural sizes",
+                    options.maxPuffs, general.enlargement));
   const std::uint64_t drawn = scene::drawnPuffs(outcome.scene);
   if (static_cast<double>(drawn) > 1.5 * static_cast<double>(options.maxPuffs))
-    outcome.warnings.push_back(fmt::format("the puff budget of {} is too small for this sky, {} puffs are drawn; take a smaller --bbox", options.maxPuffs, drawn));
-  if (table.clouds.empty()) outcome.warnings.push_back("the model has no cloud in this box: the sky is clear");
+    outcome.warnings.push_back(fmt::format(
+        "the puff budget of {} is too small for this sky, {} puffs are drawn; take a smaller --bbox",
+        options.maxPuffs, drawn));
+  if (table.clouds.empty())
+    outcome.warnings.push_back("the model has no cloud in this box: the sky is clear");
   return outcome;
 }
 

@@ -18,11 +18,13 @@ struct Outcome {
   scene::Scene scene;
   std::uint64_t columns = 0, cells = 0, layers = 0, patches = 0;
   double enlargement = 1;
-  std::vector<std::pair<std::string, std::string>> derived;  ///< what was not in the input, and how it was made
+  std::vector<std::pair<std::string, std::string>>
+      derived;  ///< what was not in the input, and how it was made
   std::vector<std::string> warnings;
 };
 
-/// The six steps, from a source to a scene. Throws InputError (no cloud fields, box outside) and InterruptedError.
+/// The six steps, from a source to a scene. Throws InputError (no cloud fields, box outside) and
+/// InterruptedError.
 Outcome run(const field::Source& source, const Options& options, const base::Progress& progress);
 
 }  // namespace cloudgen::pipeline

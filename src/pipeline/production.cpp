@@ -29,7 +29,9 @@ struct ArchetypeKey {
   auto operator<=>(const ArchetypeKey&) const = default;
 };
 
-int classOf(double value, double step) { return static_cast<int>(std::lround(std::log(value) / std::log(step))); }
+int classOf(double value, double step) {
+  return static_cast<int>(std::lround(std::log(value) / std::log(step)));
+}
 
 std::uint64_t cloudItem(const field::Layer& layer, const field::Cloud& cloud) {
   return (static_cast<std::uint64_t>(layer.ordinal) << 40) | cloud.ordinal;
@@ -53,11 +55,13 @@ ArchetypeKey keyOf(const field::Layer& layer, const field::Cloud& cloud, const O
   return key;
 }
 
-scene::Archetype makeArchetype(const ArchetypeKey& key, const Options& options, const Generalisation& general) {
+scene::Archetype makeArchetype(const ArchetypeKey& key, const Options& options,
+                               const Generalisation& general) {
   const shape::Recipe& recipe = options.recipes.of(key.genus);
   const double aspect = std::pow(kAspectStep, key.aspectClass);
   shape::ShapeRequest request;
-  request.depthMeters = std::sqrt(static_cast<double>(recipe.thicknessMeters.low) * recipe.thicknessMeters.high);
+  request.depthMeters =
+      std::sqrt(static_cast<double>(recipe.thicknessMeters.low) * recipe.thicknessMeters.high);
   request.widthMeters = request.depthMeters / aspect;
   request.opticalDepth = std::pow(kOpticalDepthStep, key.opticalDepthClass);
   request.tilt = 0.25 * key.shearClass;
@@ -67,9 +71,11 @@ scene::Archetype makeArchetype(const ArchetypeKey& key, const Options& options, 
   shape::CloudShape cloud = shape::generate(recipe, request);
 
   scene::Archetype archetype;
-  const auto text = [](int value) { return value < 0 ? fmt::format("m{}", -value) : fmt::format("{}", value); };
-  archetype.name = fmt::format("{}_a{}_t{}_s{}_v{}", base::abbreviation(key.genus), text(key.aspectClass), text(key.opticalDepthClass),
-                               key.shearClass, key.variant);
+  const auto text = [](int value) {
+    return value < 0 ? fmt::format("m{}", -value) : fmt::format("{}", value);
+  };
+  archetype.name = fmt::format("{}_a{}_t{}_s{}_v{}", base::abbreviation(key.genus), text(key.aspectClass),
+                               text(key.opticalDepthClass), key.shearClass, key.variant);
   archetype.genus = key.genus;
   archetype.puffs = std::move(cloud.puffs);
   archetype.sectionStart = std::move(cloud.sectionStart);
@@ -91,15 +97,18 @@ float shadingOf(base::Genus genus) {
 /// The puffs as the light meets them: an element of a sheet stands among others that overlap it.
 std::vector<shape::Puff> amongNeighbours(const scene::Archetype& archetype, const shape::Recipe& recipe) {
   std::vector<shape::Puff> puffs = archetype.puffs;
-  const double layers = shape::footprintSquareMeters(archetype.widthMeters) / coveredSquareMeters(recipe, archetype.widthMeters);
+  const double layers = shape::footprintSquareMeters(archetype.widthMeters) /
+                        coveredSquareMeters(recipe, archetype.widthMeters);
   for (shape::Puff& puff : puffs) puff.extinctionPerMeter *= static_cast<float>(layers);
   return puffs;
 }
 
-scene::LitArchetype lightArchetype(std::uint32_t index, int yawStep, const scene::Archetype& archetype, const shape::Recipe& recipe, const Origin& origin) {
+scene::LitArchetype lightArchetype(std::uint32_t index, int yawStep, const scene::Archetype& archetype,
+                                   const shape::Recipe& recipe, const Origin& origin) {
   const glm::quat turnBack = glm::angleAxis(-scene::yawRadians(yawStep), glm::vec3(0, 1, 0));
   const light::Lighting lighting{turnBack * origin.sun.direction, origin.sun.color, origin.sky};
-  const int cells = std::clamp(static_cast<int>(5.0 * std::cbrt(static_cast<double>(archetype.puffs.size()))), 20, 90);
+  const int cells =
+      std::clamp(static_cast<int>(5.0 * std::cbrt(static_cast<double>(archetype.puffs.size()))), 20, 90);
   const light::ExtinctionGrid grid(amongNeighbours(archetype, recipe), cells);
   scene::LitArchetype lit;
   lit.archetype = index;
@@ -110,10 +119,12 @@ scene::LitArchetype lightArchetype(std::uint32_t index, int yawStep, const scene
 }
 
 /// The heading of an element: with the wind at its level, or any quarter turn by chance.
-int yawStepOf(const field::Layer& layer, const field::Cloud& cloud, const Options& options, const base::LocalFrame& frame) {
+int yawStepOf(const field::Layer& layer, const field::Cloud& cloud, const Options& options,
+              const base::LocalFrame& frame) {
   if (options.recipes.of(layer.genus).alongWind && std::hypot(layer.windEast, layer.windNorth) > 0.5) {
     const glm::dvec2 east = frame.eastDirection(cloud.longitudeDegrees, cloud.latitudeDegrees);
-    const double x = layer.windEast * east.x + layer.windNorth * east.y, z = layer.windEast * east.y - layer.windNorth * east.x;
+    const double x = layer.windEast * east.x + layer.windNorth * east.y,
+                 z = layer.windEast * east.y - layer.windNorth * east.x;
     const double steps = std::atan2(-z, x) / (2.0 * std::numbers::pi) * scene::kYawSteps;
     return (static_cast<int>(std::lround(steps)) + scene::kYawSteps) % scene::kYawSteps;
   }
@@ -122,13 +133,14 @@ int yawStepOf(const field::Layer& layer, const field::Cloud& cloud, const Option
 }
 
 std::uint64_t cloudId(const field::Layer& layer, const field::Cloud& cloud) {
-  return (static_cast<std::uint64_t>(layer.cell) << 28) | (static_cast<std::uint64_t>(layer.ordinal & 15) << 24) | (cloud.ordinal & 0xffffff);
+  return (static_cast<std::uint64_t>(layer.cell) << 28) |
+         (static_cast<std::uint64_t>(layer.ordinal & 15) << 24) | (cloud.ordinal & 0xffffff);
 }
 
 }  // namespace
 
-scene::Scene produce(const field::CloudTable& table, const Origin& origin, const Options& options, const Generalisation& general,
-                     base::UtcTime validTime, const base::Progress& progress) {
+scene::Scene produce(const field::CloudTable& table, const Origin& origin, const Options& options,
+                     const Generalisation& general, base::UtcTime validTime, const base::Progress& progress) {
   scene::Scene scene{origin.frame, validTime, origin.sun, origin.sky, options.seed, {}, {}, {}, {}, {}, 0};
   std::map<ArchetypeKey, std::uint32_t> archetypeOf;
   std::map<std::pair<std::uint32_t, int>, std::uint32_t> litOf;
@@ -137,17 +149,21 @@ scene::Scene produce(const field::CloudTable& table, const Origin& origin, const
   for (const field::Cloud& cloud : table.clouds) {
     const field::Layer& layer = table.layers[cloud.layer];
     const ArchetypeKey key = keyOf(layer, cloud, options);
-    const auto [archetype, isNewArchetype] = archetypeOf.try_emplace(key, static_cast<std::uint32_t>(keys.size()));
+    const auto [archetype, isNewArchetype] =
+        archetypeOf.try_emplace(key, static_cast<std::uint32_t>(keys.size()));
     if (isNewArchetype) keys.push_back(key);
-    const auto [lit, isNewLit] = litOf.try_emplace({archetype->second, yawStepOf(layer, cloud, options, origin.frame)}, static_cast<std::uint32_t>(lits.size()));
+    const auto [lit, isNewLit] =
+        litOf.try_emplace({archetype->second, yawStepOf(layer, cloud, options, origin.frame)},
+                          static_cast<std::uint32_t>(lits.size()));
     if (isNewLit) lits.push_back(lit->first);
 
     scene::Instance instance;
     instance.lit = lit->second;
     instance.position = origin.frame.toScene(cloud.longitudeDegrees, cloud.latitudeDegrees, cloud.baseMeters);
     scene.instances.push_back(instance);
-    scene.clouds.push_back({cloudId(layer, cloud), layer.genus, layer.rule, layer.cell, cloud.longitudeDegrees, cloud.latitudeDegrees,
-                            cloud.baseMeters, cloud.baseMeters + cloud.depthMeters, cloud.opticalDepth});
+    scene.clouds.push_back({cloudId(layer, cloud), layer.genus, layer.rule, layer.cell,
+                            cloud.longitudeDegrees, cloud.latitudeDegrees, cloud.baseMeters,
+                            cloud.baseMeters + cloud.depthMeters, cloud.opticalDepth});
   }
 
   scene.archetypes.resize(keys.size());
@@ -160,7 +176,8 @@ scene::Scene produce(const field::CloudTable& table, const Origin& origin, const
   base::parallelFor(lits.size(), [&](size_t i) {
     if (progress.cancelled && progress.cancelled()) return;
     const scene::Archetype& archetype = scene.archetypes[lits[i].first];
-    scene.lit[i] = lightArchetype(lits[i].first, lits[i].second, archetype, options.recipes.of(archetype.genus), origin);
+    scene.lit[i] =
+        lightArchetype(lits[i].first, lits[i].second, archetype, options.recipes.of(archetype.genus), origin);
   });
   progress.step("production: light", 1);
 
@@ -170,8 +187,9 @@ scene::Scene produce(const field::CloudTable& table, const Origin& origin, const
     const scene::Archetype& archetype = scene.archetypes[scene.lit[instance.lit].archetype];
     instance.scale = cloud.depthMeters / archetype.depthMeters;
     const double footprint = shape::footprintSquareMeters(archetype.widthMeters * instance.scale);
-    instance.opticalDepthFactor = static_cast<float>(cloud.opticalDepth / archetype.opticalDepth *
-                                                     shape::footprintSquareMeters(cloud.widthMeters) / footprint);
+    instance.opticalDepthFactor =
+        static_cast<float>(cloud.opticalDepth / archetype.opticalDepth *
+                           shape::footprintSquareMeters(cloud.widthMeters) / footprint);
   }
   return scene;
 }

@@ -17,13 +17,16 @@ constexpr double kEarthRadiusMeters = 6371000.0;
 
 /// Unevenness of cover that knows no cells: noise on the sphere, about eight cloud widths across.
 double unevenness(const field::GeoPoint& place, double widthMeters, const Layer& layer, std::uint64_t seed) {
-  const double lon = place.longitudeDegrees * std::numbers::pi / 180.0, lat = place.latitudeDegrees * std::numbers::pi / 180.0;
+  const double lon = place.longitudeDegrees * std::numbers::pi / 180.0,
+               lat = place.latitudeDegrees * std::numbers::pi / 180.0;
   const double scale = kEarthRadiusMeters / (6.0 * widthMeters);
   const glm::dvec3 point(std::cos(lat) * std::cos(lon), std::cos(lat) * std::sin(lon), std::sin(lat));
   return base::fractalNoise(point * scale, 4, seed * 1000003u + static_cast<std::uint64_t>(layer.genus));
 }
 
-std::uint64_t layerItem(const Layer& layer, std::uint64_t number) { return (static_cast<std::uint64_t>(layer.ordinal) << 40) | number; }
+std::uint64_t layerItem(const Layer& layer, std::uint64_t number) {
+  return (static_cast<std::uint64_t>(layer.ordinal) << 40) | number;
+}
 
 /// The number of clouds whose expectation is `expected`, rounded up or down by the cell's own chance.
 int wholeCount(double expected, std::uint64_t seed, const Layer& layer) {
@@ -42,11 +45,14 @@ struct Candidate {
   std::uint32_t number = 0;
 };
 
-/// Twice as many places by chance as clouds; the half where the unevenness is highest (softened by chance) is taken.
-std::vector<Candidate> scattered(const field::Grid& grid, const Layer& layer, int count, double widthMeters, std::uint64_t seed) {
+/// Twice as many places by chance as clouds; the half where the unevenness is highest (softened by chance) is
+/// taken.
+std::vector<Candidate> scattered(const field::Grid& grid, const Layer& layer, int count, double widthMeters,
+                                 std::uint64_t seed) {
   std::vector<Candidate> candidates;
   for (int i = 0; i < 2 * count; ++i) {
-    base::RandomStream stream(seed, layer.cell, base::Purpose::CloudPlace, layerItem(layer, static_cast<std::uint64_t>(i) + 1));
+    base::RandomStream stream(seed, layer.cell, base::Purpose::CloudPlace,
+                              layerItem(layer, static_cast<std::uint64_t>(i) + 1));
     Candidate candidate;
     const double u = stream.uniform(), v = stream.uniform();
     candidate.place = inCell(grid, layer.cell, u, v);
@@ -58,10 +64,12 @@ std::vector<Candidate> scattered(const field::Grid& grid, const Layer& layer, in
 }
 
 /// A jittered lattice of about `count` / fraction places.
-std::vector<Candidate> lattice(const field::Grid& grid, const Layer& layer, double count, double widthMeters, std::uint64_t seed) {
+std::vector<Candidate> lattice(const field::Grid& grid, const Layer& layer, double count, double widthMeters,
+                               std::uint64_t seed) {
   const double places = std::max(1.0, count / layer.fraction);
   const field::GeoPoint center = inCell(grid, layer.cell, 0.5, 0.5);
-  const double aspect = std::max(0.05, std::cos(center.latitudeDegrees * std::numbers::pi / 180.0)) * std::abs(grid.stepX / grid.stepY);
+  const double aspect = std::max(0.05, std::cos(center.latitudeDegrees * std::numbers::pi / 180.0)) *
+                        std::abs(grid.stepX / grid.stepY);
   const int columns = std::max(1, static_cast<int>(std::lround(std::sqrt(places * aspect))));
   const int rows = std::max(1, static_cast<int>(std::lround(places / columns)));
   std::vector<Candidate> candidates;
@@ -70,7 +78,8 @@ std::vector<Candidate> lattice(const field::Grid& grid, const Layer& layer, doub
       const auto number = static_cast<std::uint32_t>(row * columns + column);
       base::RandomStream stream(seed, layer.cell, base::Purpose::CloudPlace, layerItem(layer, number + 1ull));
       Candidate candidate;
-      const double u = (column + 0.5 + 0.55 * (stream.uniform() - 0.5)) / columns, v = (row + 0.5 + 0.55 * (stream.uniform() - 0.5)) / rows;
+      const double u = (column + 0.5 + 0.55 * (stream.uniform() - 0.5)) / columns,
+                   v = (row + 0.5 + 0.55 * (stream.uniform() - 0.5)) / rows;
       candidate.place = inCell(grid, layer.cell, u, v);
       candidate.rank = unevenness(candidate.place, widthMeters, layer, seed) + 0.03 * stream.gaussian();
       candidate.number = number;
@@ -82,16 +91,20 @@ std::vector<Candidate> lattice(const field::Grid& grid, const Layer& layer, doub
 /// Keeps the `count` candidates of the highest rank, in the order of their numbers.
 void keepHighest(std::vector<Candidate>& candidates, size_t count) {
   if (candidates.size() <= count) return;
-  const auto higher = [](const Candidate& a, const Candidate& b) { return a.rank != b.rank ? a.rank > b.rank : a.number < b.number; };
-  std::nth_element(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(count), candidates.end(), higher);
+  const auto higher = [](const Candidate& a, const Candidate& b) {
+    return a.rank != b.rank ? a.rank > b.rank : a.number < b.number;
+  };
+  std::nth_element(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(count),
+                   candidates.end(), higher);
   candidates.resize(count);
-  std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) { return a.number < b.number; });
+  std::sort(candidates.begin(), candidates.end(),
+            [](const Candidate& a, const Candidate& b) { return a.number < b.number; });
 }
 
 }  // namespace
 
-void placeClouds(const field::Grid& grid, const Options& options, const Generalisation& general, const base::GeoBox& box,
-                 field::CloudTable& table) {
+void placeClouds(const field::Grid& grid, const Options& options, const Generalisation& general,
+                 const base::GeoBox& box, field::CloudTable& table) {
   for (std::uint32_t index = 0; index < table.layers.size(); ++index) {
     const Layer& layer = table.layers[index];
     const shape::Recipe& recipe = options.recipes.of(layer.genus);
@@ -107,8 +120,8 @@ void placeClouds(const field::Grid& grid, const Options& options, const Generali
     const int count = wholeCount(mean, options.seed, layer);
     if (!recipe.sheet) candidates = scattered(grid, layer, count, width, options.seed);
     keepHighest(candidates, static_cast<size_t>(count));
-    // What one cloud must cover so that all of them cover fraction times area; where a cell has a cloud only now and
-    // then, those of many cells do.
+    // What one cloud must cover so that all of them cover fraction times area; where a cell has a cloud only
+    // now and then, those of many cells do.
     const double covers = mean < 1 ? area / mean : area / count;
     for (const Candidate& candidate : candidates) {
       if (!box.contains(candidate.place.longitudeDegrees, candidate.place.latitudeDegrees)) continue;

@@ -23,11 +23,13 @@ nlohmann::json parsed(const std::filesystem::path& file) {
   try {
     return nlohmann::json::parse(base::readFile(file, kRecipeLimitBytes));
   } catch (const nlohmann::json::exception& error) {
-    throw base::InputError(file.string(), std::string("is not JSON (") + error.what() + ")", "mend the recipe");
+    throw base::InputError(file.string(), std::string("is not JSON (") + error.what() + ")",
+                           "mend the recipe");
   }
 }
 
-void checkAgainstSchema(const valijson::Schema& schema, const nlohmann::json& recipe, const std::string& where) {
+void checkAgainstSchema(const valijson::Schema& schema, const nlohmann::json& recipe,
+                        const std::string& where) {
   valijson::Validator validator;
   valijson::ValidationResults results;
   const valijson::adapters::NlohmannJsonAdapter adapter(recipe);
@@ -43,7 +45,8 @@ void checkAgainstSchema(const valijson::Schema& schema, const nlohmann::json& re
 
 RecipeBook readRecipes(const std::filesystem::path& folder) {
   if (!std::filesystem::is_directory(folder))
-    throw base::InputError(folder.string(), "is not a folder of recipes", "point --types at a folder like templates/types");
+    throw base::InputError(folder.string(), "is not a folder of recipes",
+                           "point --types at a folder like templates/types");
   valijson::Schema schema;
   const nlohmann::json schemaText = parsed(base::dataDir() / "schemas" / "recipe.schema.json");
   valijson::SchemaParser().populateSchema(valijson::adapters::NlohmannJsonAdapter(schemaText), schema);
@@ -60,13 +63,17 @@ RecipeBook readRecipes(const std::filesystem::path& folder) {
     const shape::Recipe recipe = shape::recipeFromJson(json.dump(), file.string());
     std::string& first = from[static_cast<size_t>(recipe.genus)];
     if (!first.empty())
-      throw base::InputError(file.string(), "is a second recipe for " + std::string(base::name(recipe.genus)) + " beside " + first, "keep one of them");
+      throw base::InputError(
+          file.string(),
+          "is a second recipe for " + std::string(base::name(recipe.genus)) + " beside " + first,
+          "keep one of them");
     first = file.filename().string();
     book.recipes[static_cast<size_t>(recipe.genus)] = recipe;
   }
   for (const base::Genus genus : base::allGenera())
     if (from[static_cast<size_t>(genus)].empty())
-      throw base::InputError(folder.string(), "has no recipe for " + std::string(base::name(genus)), "copy the one of templates/types and change it");
+      throw base::InputError(folder.string(), "has no recipe for " + std::string(base::name(genus)),
+                             "copy the one of templates/types and change it");
   return book;
 }
 

@@ -14,8 +14,8 @@ struct RecipeBook {
   const shape::Recipe& of(base::Genus genus) const { return recipes[static_cast<size_t>(genus)]; }
 };
 
-/// Reads every *.json of a folder, each checked against schemas/recipe.schema.json. Throws InputError naming the file and the
-/// place in it; also if a genus has no recipe or two.
+/// Reads every *.json of a folder, each checked against schemas/recipe.schema.json. Throws InputError naming
+/// the file and the place in it; also if a genus has no recipe or two.
 RecipeBook readRecipes(const std::filesystem::path& folder);
 
 }  // namespace cloudgen::pipeline

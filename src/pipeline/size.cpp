@@ -19,7 +19,9 @@ double relativeWidth(double u) {
 
 /// Root of the mean square of relativeWidth: what turns it into a width with mean footprint 1.
 double meanSquareRoot() {
-  const auto integral = [](double power) { return (std::pow(kLargest, power) - std::pow(kSmallest, power)) / power; };
+  const auto integral = [](double power) {
+    return (std::pow(kLargest, power) - std::pow(kSmallest, power)) / power;
+  };
   return std::sqrt(integral(3 - kSlope) / integral(1 - kSlope));
 }
 
@@ -38,13 +40,15 @@ void sizeClouds(const Options& options, const Generalisation& general, field::Cl
     if (!recipe.sheet) {
       const double relative = relativeWidth(stream.uniform()) / normal;
       width *= relative;
-      if (recipe.form == shape::Form::Heap) depth *= std::clamp(0.35 + 0.45 * relative + 0.12 * stream.gaussian(), 0.25, 1.0);
+      if (recipe.form == shape::Form::Heap)
+        depth *= std::clamp(0.35 + 0.45 * relative + 0.12 * stream.gaussian(), 0.25, 1.0);
     }
     cloud.widthMeters = static_cast<float>(width);
     cloud.depthMeters = static_cast<float>(depth);
     cloud.baseMeters = layer.baseMeters;
     // What the layer owes this cloud's ground, spread over the mean footprint: a smaller box changes nothing.
-    cloud.opticalDepth = static_cast<float>(layer.opticalDepth() * cloud.coversSquareMeters / shape::footprintSquareMeters(meanWidth));
+    cloud.opticalDepth = static_cast<float>(layer.opticalDepth() * cloud.coversSquareMeters /
+                                            shape::footprintSquareMeters(meanWidth));
   }
 }
 

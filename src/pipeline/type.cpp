@@ -11,7 +11,8 @@ namespace {
 using base::Genus;
 using field::Layer;
 
-/// WMO etages by latitude: lower borders of the middle and high etage in metres, from the polar to the tropical values.
+/// WMO etages by latitude: lower borders of the middle and high etage in metres, from the polar to the
+/// tropical values.
 struct Etages {
   float middleMeters, highMeters;
 };
@@ -26,7 +27,7 @@ struct Traits {
   Etages etages;
   float baseAboveGround, topAboveGround, depth, opticalDepth, fraction, iceShare;
   double patchSquareKilometers;
-  bool unstable;      ///< K-index over 20: tall convection likely (himan cloud_code)
+  bool unstable;  ///< K-index over 20: tall convection likely (himan cloud_code)
   bool cumuliform;
 };
 
@@ -37,11 +38,14 @@ struct Verdict {
 
 constexpr std::array<TypeRule, 17> kRules{{
     {"stated", "the source states the genus"},
-    {"cirrus.veil", "ice above the high etage's border, cover over 60 %, optical depth 0.3 to 3.6: cirrostratus"},
-    {"cirrus.grains", "thin layer above the high etage's border, under 700 m deep, cover over 40 %: cirrocumulus"},
+    {"cirrus.veil",
+     "ice above the high etage's border, cover over 60 %, optical depth 0.3 to 3.6: cirrostratus"},
+    {"cirrus.grains",
+     "thin layer above the high etage's border, under 700 m deep, cover over 40 %: cirrocumulus"},
     {"cirrus.signature", "ice above the high etage's border, optical depth under 3.6 or broken: cirrus"},
     {"cirrus.thick", "base above the high etage's border, optical depth over 3.6: cirrostratus"},
-    {"cumulonimbus.signature", "low base, over 5 km deep, top colder than -25 C, optical depth over 23, K-index over 20: cumulonimbus"},
+    {"cumulonimbus.signature",
+     "low base, over 5 km deep, top colder than -25 C, optical depth over 23, K-index over 20: cumulonimbus"},
     {"fog.signature", "base within 60 m of the ground, top below 400 m: fog"},
     {"rain.deep", "stratiform, base below 3 km, over 2.5 km deep, optical depth over 20: nimbostratus"},
     {"low.cumuliform", "low base, small or broken patch: cumulus"},
@@ -56,26 +60,35 @@ constexpr std::array<TypeRule, 17> kRules{{
 }};
 
 Verdict highGenus(const Traits& traits) {
-  if (traits.depth < 700 && traits.fraction > 0.4f && traits.opticalDepth < 2) return {Genus::Cirrocumulus, "cirrus.grains"};
-  if (traits.fraction > 0.6f && traits.opticalDepth > 0.3f && traits.opticalDepth <= 3.6f) return {Genus::Cirrostratus, "cirrus.veil"};
+  if (traits.depth < 700 && traits.fraction > 0.4f && traits.opticalDepth < 2)
+    return {Genus::Cirrocumulus, "cirrus.grains"};
+  if (traits.fraction > 0.6f && traits.opticalDepth > 0.3f && traits.opticalDepth <= 3.6f)
+    return {Genus::Cirrostratus, "cirrus.veil"};
   if (traits.opticalDepth <= 3.6f || traits.fraction <= 0.6f) return {Genus::Cirrus, "cirrus.signature"};
   return {Genus::Cirrostratus, "cirrus.thick"};
 }
 
 Verdict verdict(const Layer& layer, const Traits& traits) {
   if (layer.baseMeters >= traits.etages.highMeters && traits.iceShare > 0.5f) return highGenus(traits);
-  if (traits.baseAboveGround < 3000 && traits.depth > 5000 && layer.topTemperatureK < 248.15f && traits.opticalDepth > 23 && traits.unstable)
+  if (traits.baseAboveGround < 3000 && traits.depth > 5000 && layer.topTemperatureK < 248.15f &&
+      traits.opticalDepth > 23 && traits.unstable)
     return {Genus::Cumulonimbus, "cumulonimbus.signature"};
   if (traits.baseAboveGround < 60 && traits.topAboveGround < 400) return {Genus::Fog, "fog.signature"};
   if (layer.baseMeters < traits.etages.middleMeters) {
-    if (!traits.cumuliform && traits.depth > 2500 && traits.opticalDepth > 20) return {Genus::Nimbostratus, "rain.deep"};
-    if (traits.cumuliform) return traits.depth > 5000 ? Verdict{Genus::Cumulonimbus, "low.deep_cumuliform"} : Verdict{Genus::Cumulus, "low.cumuliform"};
+    if (!traits.cumuliform && traits.depth > 2500 && traits.opticalDepth > 20)
+      return {Genus::Nimbostratus, "rain.deep"};
+    if (traits.cumuliform)
+      return traits.depth > 5000 ? Verdict{Genus::Cumulonimbus, "low.deep_cumuliform"}
+                                 : Verdict{Genus::Cumulus, "low.cumuliform"};
     if (traits.baseAboveGround < 600 && traits.depth < 700) return {Genus::Stratus, "low.uniform"};
-    return traits.depth > 2500 ? Verdict{Genus::Nimbostratus, "rain.deep"} : Verdict{Genus::Stratocumulus, "low.rolls"};
+    return traits.depth > 2500 ? Verdict{Genus::Nimbostratus, "rain.deep"}
+                               : Verdict{Genus::Stratocumulus, "low.rolls"};
   }
   if (layer.baseMeters < traits.etages.highMeters) {
-    if (traits.depth > 5000 && traits.unstable && traits.cumuliform) return {Genus::Cumulonimbus, "middle.tower"};
-    if (layer.baseMeters < 3500 && traits.depth > 3000 && traits.opticalDepth > 23) return {Genus::Nimbostratus, "middle.rain"};
+    if (traits.depth > 5000 && traits.unstable && traits.cumuliform)
+      return {Genus::Cumulonimbus, "middle.tower"};
+    if (layer.baseMeters < 3500 && traits.depth > 3000 && traits.opticalDepth > 23)
+      return {Genus::Nimbostratus, "middle.rain"};
     if (traits.depth < 1000 || traits.fraction < 0.5f) return {Genus::Altocumulus, "middle.elements"};
     return {Genus::Altostratus, "middle.veil"};
   }
@@ -105,8 +118,10 @@ void typeLayers(const field::Grid& grid, std::vector<Layer>& layers) {
     traits.iceShare = layer.iceOpticalDepth / layer.opticalDepth();
     traits.patchSquareKilometers = patchArea[layer.patch];
     traits.unstable = layer.kIndexC > 20;
-    // Small or broken: what covers little of its cell is heaped; so is what covers half of it in unstable air.
-    traits.cumuliform = layer.fraction < 0.3f || (traits.unstable && layer.fraction < 0.6f) || traits.patchSquareKilometers < 400;
+    // Small or broken: what covers little of its cell is heaped; so is what covers half of it in unstable
+    // air.
+    traits.cumuliform = layer.fraction < 0.3f || (traits.unstable && layer.fraction < 0.6f) ||
+                        traits.patchSquareKilometers < 400;
     const Verdict decided = verdict(layer, traits);
     layer.genus = decided.genus;
     layer.rule = decided.rule;

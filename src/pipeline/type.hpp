@@ -16,9 +16,9 @@ struct TypeRule {
 };
 std::span<const TypeRule> typeRules();
 
-/// Step 3: the genus of every layer that has none yet (rule empty), in the order of CDFS II (thesis ch. IV): first
-/// cirrus, cumulonimbus and fog by signature; then cumuliform or stratiform by horizontal extent; then by height.
-/// Fills genus and rule.
+/// Step 3: the genus of every layer that has none yet (rule empty), in the order of CDFS II (thesis ch. IV):
+/// first cirrus, cumulonimbus and fog by signature; then cumuliform or stratiform by horizontal extent; then
+/// by height. Fills genus and rule.
 void typeLayers(const field::Grid& grid, std::vector<field::Layer>& layers);
 
 }  // namespace cloudgen::pipeline

@@ -42,10 +42,13 @@ std::vector<Tile> tilesOf(const Scene& scene, float sideMeters) {
     Tile& tile = found->second;
     if (isNew) tile = {column, row, glm::vec3(1e30f), glm::vec3(-1e30f), {}};
     const Archetype& archetype = scene.archetypes[scene.lit[instance.lit].archetype];
-    const glm::vec3 half = glm::max(glm::abs(archetype.bounds.lower), glm::abs(archetype.bounds.upper)) * instance.scale;
+    const glm::vec3 half =
+        glm::max(glm::abs(archetype.bounds.lower), glm::abs(archetype.bounds.upper)) * instance.scale;
     const float reach = std::hypot(half.x, half.z);
-    tile.lower = glm::min(tile.lower, instance.position + glm::vec3(-reach, archetype.bounds.lower.y * instance.scale, -reach));
-    tile.upper = glm::max(tile.upper, instance.position + glm::vec3(reach, archetype.bounds.upper.y * instance.scale, reach));
+    tile.lower = glm::min(
+        tile.lower, instance.position + glm::vec3(-reach, archetype.bounds.lower.y * instance.scale, -reach));
+    tile.upper = glm::max(
+        tile.upper, instance.position + glm::vec3(reach, archetype.bounds.upper.y * instance.scale, reach));
     tile.instances.push_back(i);
   }
   std::vector<Tile> out;

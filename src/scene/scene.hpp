@@ -19,16 +19,17 @@ namespace cloudgen::scene {
 /// Yaw is quantised so that light is computed once an archetype and heading: 16 steps of 22.5 degrees.
 inline constexpr int kYawSteps = 16;
 
-/// A cloud shape that many clouds share, in metres at scale 1: origin at the middle of the base, y up, wind along +x.
+/// A cloud shape that many clouds share, in metres at scale 1: origin at the middle of the base, y up, wind
+/// along +x.
 struct Archetype {
-  std::string name;                    ///< unique in the scene, a valid XML name: "Cu_3_2_1"
+  std::string name;  ///< unique in the scene, a valid XML name: "Cu_3_2_1"
   base::Genus genus{};
-  std::vector<shape::Puff> puffs;      ///< ordered by section
+  std::vector<shape::Puff> puffs;           ///< ordered by section
   std::vector<std::uint32_t> sectionStart;  ///< puffs of section s: [sectionStart[s], sectionStart[s+1])
   shape::Bounds bounds;
   float widthMeters = 0, depthMeters = 0;  ///< nominal, at scale 1
-  float opticalDepth = 0;              ///< vertical, mean over the nominal footprint, at factor 1
-  std::vector<shape::Puff> farPuffs;   ///< the same cloud as a handful of puffs (at most 8), for far levels
+  float opticalDepth = 0;                  ///< vertical, mean over the nominal footprint, at factor 1
+  std::vector<shape::Puff> farPuffs;  ///< the same cloud as a handful of puffs (at most 8), for far levels
 };
 
 /// The light on an archetype under one heading of it: one entry a puff (and one a far puff).
@@ -38,17 +39,19 @@ struct LitArchetype {
   std::vector<light::PuffLight> puffs, farPuffs;
 };
 
-/// A cloud: an archetype, moved, turned (about y, counter-clockwise seen from above: +x towards -z) and scaled.
+/// A cloud: an archetype, moved, turned (about y, counter-clockwise seen from above: +x towards -z) and
+/// scaled.
 struct Instance {
-  std::uint32_t lit = 0;         ///< index in Scene::lit
-  glm::vec3 position{0};         ///< of the archetype's origin, in the scene frame
+  std::uint32_t lit = 0;  ///< index in Scene::lit
+  glm::vec3 position{0};  ///< of the archetype's origin, in the scene frame
   float scale = 1;
-  float opticalDepthFactor = 1;  ///< multiplies extinction * scale^-1, so that optical depth is the archetype's times this
+  float opticalDepthFactor =
+      1;  ///< multiplies extinction * scale^-1, so that optical depth is the archetype's times this
 };
 
 /// Where a cloud comes from; parallel to Scene::instances.
 struct CloudRecord {
-  std::uint64_t id = 0;          ///< stable: made of cell, layer and ordinal
+  std::uint64_t id = 0;  ///< stable: made of cell, layer and ordinal
   base::Genus genus{};
   std::string rule;
   std::uint32_t cell = 0;
@@ -59,10 +62,11 @@ struct CloudRecord {
 struct Provenance {
   std::vector<std::string> files;
   std::string format, model;
-  std::string run;               ///< ISO time, or empty
+  std::string run;  ///< ISO time, or empty
 };
 
-/// The one intermediate representation. Writers see nothing else. Everything in the scene frame (base::LocalFrame).
+/// The one intermediate representation. Writers see nothing else. Everything in the scene frame
+/// (base::LocalFrame).
 struct Scene {
   base::LocalFrame frame;
   base::UtcTime validTime;
@@ -92,8 +96,8 @@ float highestTop(const Scene& scene);
 /// One square of the ground and the instances whose origin stands on it.
 struct Tile {
   int column = 0, row = 0;
-  glm::vec3 lower{0}, upper{0};             ///< box around the tile's clouds
-  std::vector<std::uint32_t> instances;     ///< ascending
+  glm::vec3 lower{0}, upper{0};          ///< box around the tile's clouds
+  std::vector<std::uint32_t> instances;  ///< ascending
 };
 
 /// Splits the ground into squares of the given side; only tiles with clouds, row by row from the north-west.

@@ -31,11 +31,13 @@ RawShape shapeCells(const Recipe& recipe, const ShapeRequest& request) {
       // Rolls: the rows meander, so that they do not look ruled.
       p.z += 0.9 * pitch * base::fractalNoise({p.x / (5.0 * pitch), 0.3, p.z / (7.0 * pitch)}, 2, noiseSeed);
       const double q = std::hypot(p.x, p.z) / (0.5 * width);
-      const double ragged = base::fractalNoise({p.x / (4.5 * pitch), 1.7, p.z / (4.5 * pitch)}, 3, noiseSeed + 5);
+      const double ragged =
+          base::fractalNoise({p.x / (4.5 * pitch), 1.7, p.z / (4.5 * pitch)}, 3, noiseSeed + 5);
       const double fade = 1.0 - base::smoothStep(0.72, 1.08, q + 0.55 * ragged);
       const double vigour = places.uniform(0.65, 1.2) * (0.75 + 0.9 * ragged + 0.25);
       if (fade < 0.04 || vigour * fade < 0.3) continue;
-      const double radius = recipe.sectionRadius * pitch * std::clamp(vigour, 0.55, 1.35) * (0.6 + 0.4 * fade);
+      const double radius =
+          recipe.sectionRadius * pitch * std::clamp(vigour, 0.55, 1.35) * (0.6 + 0.4 * fade);
       cells.push_back({p, radius, depth * std::clamp(0.45 + 0.55 * vigour, 0.3, 1.0), fade});
       totalArea += radius * radius;
     }
@@ -54,15 +56,19 @@ RawShape shapeCells(const Recipe& recipe, const ShapeRequest& request) {
       const glm::dvec3 p = place(recipe.billboardPlacement, 1, fills).front();
       const double r = std::min(1.0, std::hypot(p.x, p.z));
       const double dome = std::sqrt(std::max(0.0, 1.0 - r * r));
-      glm::dvec3 position(cell.center.x + p.x * cell.radius * stretch, 0, cell.center.z + p.z * cell.radius / stretch);
+      glm::dvec3 position(cell.center.x + p.x * cell.radius * stretch, 0,
+                          cell.center.z + p.z * cell.radius / stretch);
       const double lump = base::billowNoise(position * (2.2 / cell.radius), 2, noiseSeed + 9) - 0.72;
-      position.y = cell.height * (0.16 + 0.66 * dome * std::sqrt(fills.uniform()) + 0.5 * lump * dome) + 0.06 * cell.height * fills.gaussian();
+      position.y = cell.height * (0.16 + 0.66 * dome * std::sqrt(fills.uniform()) + 0.5 * lump * dome) +
+                   0.06 * cell.height * fills.gaussian();
       position.y = std::clamp(position.y, 0.06 * depth, 0.97 * depth);
       Puff puff;
       const double size = sigma * fills.uniform(0.75, 1.25);
       puff.center = position;
-      puff.sigma = glm::vec3(size * stretch, std::min(size * recipe.flattening, 0.3 * cell.height), size / stretch);
-      puff.extinctionPerMeter = static_cast<float>(cell.weight * (0.25 + 0.9 * dome) * std::clamp(1.0 + recipe.raggedness * 2.0 * lump, 0.2, 1.6));
+      puff.sigma =
+          glm::vec3(size * stretch, std::min(size * recipe.flattening, 0.3 * cell.height), size / stretch);
+      puff.extinctionPerMeter = static_cast<float>(
+          cell.weight * (0.25 + 0.9 * dome) * std::clamp(1.0 + recipe.raggedness * 2.0 * lump, 0.2, 1.6));
       puff.section = static_cast<std::uint16_t>(c);
       shape.puffs.push_back(puff);
     }

@@ -9,7 +9,8 @@ std::vector<glm::dvec3> placeCubic(const Placement& placement, int count, base::
   for (int i = 0; i < count; ++i) {
     const double x = stream.uniform(), y = stream.uniform(), z = stream.uniform();
     const double stepped = static_cast<double>(i) / count;
-    points.push_back(placement.radius * glm::dvec3(x, placement.variant == PlacementVariant::Incremental ? stepped : y, z));
+    points.push_back(placement.radius *
+                     glm::dvec3(x, placement.variant == PlacementVariant::Incremental ? stepped : y, z));
   }
   return points;
 }

@@ -9,10 +9,11 @@
 namespace cloudgen::shape {
 namespace {
 
-/// A thread of falling ice: it leaves a small head, drops into slower air and trails behind (Marshall 1953, the
-/// geometry of mares' tails: the trail is a parabola where the shear is even).
-void addThread(std::vector<Puff>& puffs, const ShapeRequest& request, const Recipe& recipe, const glm::dvec3& head, double length,
-               double heading, int count, double strength, std::uint16_t section, base::RandomStream& stream) {
+/// A thread of falling ice: it leaves a small head, drops into slower air and trails behind (Marshall 1953,
+/// the geometry of mares' tails: the trail is a parabola where the shear is even).
+void addThread(std::vector<Puff>& puffs, const ShapeRequest& request, const Recipe& recipe,
+               const glm::dvec3& head, double length, double heading, int count, double strength,
+               std::uint16_t section, base::RandomStream& stream) {
   const double depth = request.depthMeters;
   const double fall = std::min(0.85 * head.y, 0.8 * depth) * stream.uniform(0.6, 1.0);
   const double curl = stream.uniform(-0.35, 0.35);
@@ -21,19 +22,29 @@ void addThread(std::vector<Puff>& puffs, const ShapeRequest& request, const Reci
   const auto pointAt = [&](double t) {
     const double back = length * std::pow(t, 1.35);
     const double side = curl * length * t * t * 0.5;
-    return glm::dvec3(head.x - back * cosine - side * sine, head.y - fall * std::pow(t, 0.75), head.z - back * sine + side * cosine);
+    return glm::dvec3(head.x - back * cosine - side * sine, head.y - fall * std::pow(t, 0.75),
+                      head.z - back * sine + side * cosine);
   };
   for (int i = 0; i < count; ++i) {
     const double t = (i + 0.5) / count;
-    const glm::dvec3 here = pointAt(t), ahead = pointAt(std::max(0.0, t - 0.5 / count)), behind = pointAt(t + 0.5 / count);
+    const glm::dvec3 here = pointAt(t), ahead = pointAt(std::max(0.0, t - 0.5 / count)),
+                     behind = pointAt(t + 0.5 / count);
     const double step = glm::length(behind - ahead);
     const double spread = thickness * (0.35 + 1.1 * t);
     Puff puff;
-    puff.center = here + glm::dvec3(stream.gaussian() * spread * sine, 0.25 * spread * stream.gaussian(), stream.gaussian() * spread * cosine) * 0.5;
-    puff.sigma = glm::vec3(std::max(step * 0.75, thickness * 0.5), std::max(8.0, 0.22 * spread), std::max(12.0, 0.3 * spread));
+    puff.center = here + glm::dvec3(stream.gaussian() * spread * sine, 0.25 * spread * stream.gaussian(),
+                                    stream.gaussian() * spread * cosine) *
+                             0.5;
+    puff.sigma = glm::vec3(std::max(step * 0.75, thickness * 0.5), std::max(8.0, 0.22 * spread),
+                           std::max(12.0, 0.3 * spread));
     puff.rotation = turnedAlong(glm::normalize(ahead - behind));
-    const double grain = base::fractalNoise({here.x / (0.04 * request.widthMeters), here.y / (0.2 * depth + 1), here.z / (0.012 * request.widthMeters)}, 3, 71);
-    puff.extinctionPerMeter = static_cast<float>(strength * std::exp(-2.2 * t) * std::clamp(1.0 + 1.4 * grain, 0.15, 2.0) / std::max(1.0, puff.sigma.y / 30.0));
+    const double grain =
+        base::fractalNoise({here.x / (0.04 * request.widthMeters), here.y / (0.2 * depth + 1),
+                            here.z / (0.012 * request.widthMeters)},
+                           3, 71);
+    puff.extinctionPerMeter =
+        static_cast<float>(strength * std::exp(-2.2 * t) * std::clamp(1.0 + 1.4 * grain, 0.15, 2.0) /
+                           std::max(1.0, puff.sigma.y / 30.0));
     puff.section = section;
     puffs.push_back(puff);
   }
@@ -57,10 +68,11 @@ RawShape shapeFilaments(const Recipe& recipe, const ShapeRequest& request) {
     const double band = 0.05 * width * places.uniform(0.5, 1.4);
     for (int i = 0; i < threads; ++i) {
       const double aside = band * fills.gaussian();
-      const glm::dvec3 head(at.x + 0.5 * band * fills.gaussian() - turn * aside, depth * fills.uniform(0.7, 0.98), at.z + aside);
+      const glm::dvec3 head(at.x + 0.5 * band * fills.gaussian() - turn * aside,
+                            depth * fills.uniform(0.7, 0.98), at.z + aside);
       const double strength = std::exp(-0.5 * (aside / band) * (aside / band)) * fills.uniform(0.35, 1.0);
-      addThread(shape.puffs, request, recipe, head, length * fills.uniform(0.5, 1.0), turn + 0.03 * fills.gaussian(), perThread, strength,
-                static_cast<std::uint16_t>(b), fills);
+      addThread(shape.puffs, request, recipe, head, length * fills.uniform(0.5, 1.0),
+                turn + 0.03 * fills.gaussian(), perThread, strength, static_cast<std::uint16_t>(b), fills);
     }
   }
   return shape;

@@ -11,11 +11,16 @@ namespace {
 
 RawShape rawShape(const Recipe& recipe, const ShapeRequest& request) {
   switch (recipe.form) {
-    case Form::Heap: return shapeHeap(recipe, request);
-    case Form::Tower: return shapeTower(recipe, request);
-    case Form::Cells: return shapeCells(recipe, request);
-    case Form::Veil: return shapeVeil(recipe, request);
-    case Form::Filaments: break;
+    case Form::Heap:
+      return shapeHeap(recipe, request);
+    case Form::Tower:
+      return shapeTower(recipe, request);
+    case Form::Cells:
+      return shapeCells(recipe, request);
+    case Form::Veil:
+      return shapeVeil(recipe, request);
+    case Form::Filaments:
+      break;
   }
   return shapeFilaments(recipe, request);
 }
@@ -32,7 +37,9 @@ double totalExtinctionArea(const std::vector<Puff>& puffs) {
 
 }  // namespace
 
-double footprintSquareMeters(double widthMeters) { return 0.25 * std::numbers::pi * widthMeters * widthMeters; }
+double footprintSquareMeters(double widthMeters) {
+  return 0.25 * std::numbers::pi * widthMeters * widthMeters;
+}
 
 CloudShape generate(const Recipe& recipe, const ShapeRequest& request) {
   RawShape raw = rawShape(recipe, request);
@@ -40,11 +47,13 @@ CloudShape generate(const Recipe& recipe, const ShapeRequest& request) {
   scaleExtinction(raw.puffs, request.opticalDepth * footprint / totalExtinctionArea(raw.puffs));
   if (recipe.precipitation <= 0) raw.precipitation.clear();
   if (!raw.precipitation.empty())
-    scaleExtinction(raw.precipitation, recipe.precipitation * request.opticalDepth * footprint * 0.05 / totalExtinctionArea(raw.precipitation));
+    scaleExtinction(raw.precipitation, recipe.precipitation * request.opticalDepth * footprint * 0.05 /
+                                           totalExtinctionArea(raw.precipitation));
 
   CloudShape cloud{std::move(raw.puffs), {}};
   cloud.puffs.insert(cloud.puffs.end(), raw.precipitation.begin(), raw.precipitation.end());
-  std::stable_sort(cloud.puffs.begin(), cloud.puffs.end(), [](const Puff& a, const Puff& b) { return a.section < b.section; });
+  std::stable_sort(cloud.puffs.begin(), cloud.puffs.end(),
+                   [](const Puff& a, const Puff& b) { return a.section < b.section; });
   base::RandomStream sprites(request.seed, request.variant, base::Purpose::BillboardSprite);
   int section = -1;
   std::uint16_t number = 0;

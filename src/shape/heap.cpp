@@ -28,12 +28,16 @@ RawShape shapeHeapField(const Recipe& recipe, const ShapeRequest& request) {
     owed += static_cast<double>(request.puffs) / domes * relative * relative;
     const int share = std::max(2, static_cast<int>(owed));
     owed -= share;
-    for (const glm::dvec3& p : place({CoordinateSystem::HalfSpherical, PlacementVariant::Uniform}, share, fills)) {
+    for (const glm::dvec3& p :
+         place({CoordinateSystem::HalfSpherical, PlacementVariant::Uniform}, share, fills)) {
       Puff puff;
-      const double sigma = std::min(0.42, 0.75 / std::cbrt(static_cast<double>(share))) * radius * fills.uniform(0.8, 1.2);
+      const double sigma =
+          std::min(0.42, 0.75 / std::cbrt(static_cast<double>(share))) * radius * fills.uniform(0.8, 1.2);
       const double sigmaY = std::min(sigma * recipe.flattening, 0.22 * top);
-      puff.center = glm::dvec3(feet[i].x + p.x * 0.75 * radius + request.tilt * p.y * top,
-                               std::clamp(0.9 * p.y * top, 1.5 * sigmaY, std::max(1.5 * sigmaY, top - 1.5 * sigmaY)), feet[i].z + p.z * 0.75 * radius);
+      puff.center =
+          glm::dvec3(feet[i].x + p.x * 0.75 * radius + request.tilt * p.y * top,
+                     std::clamp(0.9 * p.y * top, 1.5 * sigmaY, std::max(1.5 * sigmaY, top - 1.5 * sigmaY)),
+                     feet[i].z + p.z * 0.75 * radius);
       puff.sigma = glm::vec3(sigma, sigmaY, sigma);
       puff.extinctionPerMeter = static_cast<float>(0.7 + 0.5 * p.y);
       puff.section = static_cast<std::uint16_t>(i);
@@ -61,20 +65,27 @@ RawShape shapeHeap(const Recipe& recipe, const ShapeRequest& request) {
     const glm::dvec3 p = points[i];  // within a half ball of radius 1
     const double reach = 0.37 * width;
     const double outward = i == 0 ? 0.15 : 1.0;
-    const double x = outward * p.x * reach + mainX * (1 - std::abs(p.x)), z = outward * p.z * reach + mainZ * (1 - std::abs(p.z));
+    const double x = outward * p.x * reach + mainX * (1 - std::abs(p.x)),
+                 z = outward * p.z * reach + mainZ * (1 - std::abs(p.z));
     const double fromMain = std::hypot(x - mainX, z - mainZ) / (0.5 * width);
     // Turrets of uneven height, the tallest over the middle, low shoulders at the rim.
-    const double profile = std::clamp((1.0 - 0.85 * fromMain * fromMain) * places.uniform(0.42, 1.0), 0.16, 1.0);
+    const double profile =
+        std::clamp((1.0 - 0.85 * fromMain * fromMain) * places.uniform(0.42, 1.0), 0.16, 1.0);
     const double top = depth * (i == 0 ? 0.97 : profile);
-    const double radius = std::min(recipe.sectionRadius * width * (i == 0 ? 1.35 : places.uniform(0.65, 1.25)) * (1.0 - 0.3 * fromMain), 0.52 * top);
+    const double radius = std::min(
+        recipe.sectionRadius * width * (i == 0 ? 1.35 : places.uniform(0.65, 1.25)) * (1.0 - 0.3 * fromMain),
+        0.52 * top);
     for (double y = 0.4 * radius; y <= std::max(top - radius, 0.4 * radius) + 1e-9; y += 0.62 * radius) {
       // A turret narrows a little above its base and swells again in its head.
       const double share = y / std::max(top, 1e-9);
-      const double swell = radius * (1.0 - 0.28 * std::sin(share * 3.14159265358979)) * places.uniform(0.85, 1.12);
+      const double swell =
+          radius * (1.0 - 0.28 * std::sin(share * 3.14159265358979)) * places.uniform(0.85, 1.12);
       const double wobble = 0.28 * radius;
-      lobes.push_back({{x + request.tilt * y + wobble * places.uniform(-1, 1), std::min(y, depth - swell * 0.95),
-                        z + wobble * places.uniform(-1, 1)},
-                       swell, static_cast<std::uint16_t>(i), 0});
+      lobes.push_back({{x + request.tilt * y + wobble * places.uniform(-1, 1),
+                        std::min(y, depth - swell * 0.95), z + wobble * places.uniform(-1, 1)},
+                       swell,
+                       static_cast<std::uint16_t>(i),
+                       0});
     }
   }
   if (request.puffs >= 12 * static_cast<int>(lobes.size())) growLobes(lobes, 1, 12, 0.42, places);

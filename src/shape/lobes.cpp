@@ -37,11 +37,12 @@ void growLobes(std::vector<Lobe>& lobes, int level, int children, double ratio, 
   }
 }
 
-void fillLobes(std::vector<Puff>& puffs, const std::vector<Lobe>& lobes, const Recipe& recipe, int count, double floorMeters,
-               base::RandomStream& stream) {
+void fillLobes(std::vector<Puff>& puffs, const std::vector<Lobe>& lobes, const Recipe& recipe, int count,
+               double floorMeters, base::RandomStream& stream) {
   double total = 0;
   for (const Lobe& lobe : lobes) total += lobe.radius * lobe.radius;
-  const int finest = std::max_element(lobes.begin(), lobes.end(), [](auto& a, auto& b) { return a.level < b.level; })->level;
+  const int finest =
+      std::max_element(lobes.begin(), lobes.end(), [](auto& a, auto& b) { return a.level < b.level; })->level;
   const double noiseScale = 1.0 / (0.6 * lobes.front().radius);
   double owed = 0;
   for (const Lobe& lobe : lobes) {
@@ -57,7 +58,8 @@ void fillLobes(std::vector<Puff>& puffs, const std::vector<Lobe>& lobes, const R
       glm::dvec3 position{};
       for (int attempt = 0; attempt < 6; ++attempt) {
         glm::dvec3 direction = stream.direction();
-        if (recipe.billboardPlacement.system == CoordinateSystem::HalfSpherical) direction.y = std::abs(direction.y);
+        if (recipe.billboardPlacement.system == CoordinateSystem::HalfSpherical)
+          direction.y = std::abs(direction.y);
         const double depth = surface ? stream.uniform(0.8, 1.0) : 0.8 * std::cbrt(stream.uniform());
         // Billows in the surface: round heaps between sharp creases.
         const glm::dvec3 onSurface = lobe.center + direction * lobe.radius;
@@ -84,7 +86,8 @@ void fillLobes(std::vector<Puff>& puffs, const std::vector<Lobe>& lobes, const R
       Puff puff;
       puff.center = position;
       puff.sigma = glm::vec3(sigma, sigmaY, sigma);
-      // Every puff hides alike (the same optical depth through it), so that small ones at the surface keep it crisp.
+      // Every puff hides alike (the same optical depth through it), so that small ones at the surface keep it
+      // crisp.
       puff.extinctionPerMeter = static_cast<float>(density / sigmaY);
       puff.section = lobe.section;
       puffs.push_back(puff);
@@ -95,11 +98,12 @@ void fillLobes(std::vector<Puff>& puffs, const std::vector<Lobe>& lobes, const R
 glm::quat turnedAlong(const glm::dvec3& direction) {
   const double yaw = std::atan2(-direction.z, direction.x);
   const double pitch = std::atan2(direction.y, std::hypot(direction.x, direction.z));
-  return glm::angleAxis(static_cast<float>(yaw), glm::vec3(0, 1, 0)) * glm::angleAxis(static_cast<float>(pitch), glm::vec3(0, 0, 1));
+  return glm::angleAxis(static_cast<float>(yaw), glm::vec3(0, 1, 0)) *
+         glm::angleAxis(static_cast<float>(pitch), glm::vec3(0, 0, 1));
 }
 
-void addPrecipitation(std::vector<Puff>& puffs, const Recipe& recipe, const glm::dvec3& center, double radius, double length,
-                      int count, base::RandomStream& stream) {
+void addPrecipitation(std::vector<Puff>& puffs, const Recipe& recipe, const glm::dvec3& center, double radius,
+                      double length, int count, base::RandomStream& stream) {
   for (int i = 0; i < count; ++i) {
     const double angle = 2.0 * std::numbers::pi * stream.uniform(), r = radius * std::sqrt(stream.uniform());
     const glm::dvec3 foot(center.x + r * std::cos(angle), 0, center.z + r * std::sin(angle));
@@ -109,9 +113,11 @@ void addPrecipitation(std::vector<Puff>& puffs, const Recipe& recipe, const glm:
     Puff puff;
     const double lean = 0.35 * length * down;
     puff.center = glm::dvec3(foot.x - lean, center.y - length * down, foot.z);
-    puff.sigma = glm::vec3(radius * 0.05, length * 0.16, radius * 0.05) * static_cast<float>(stream.uniform(0.7, 1.4));
+    puff.sigma =
+        glm::vec3(radius * 0.05, length * 0.16, radius * 0.05) * static_cast<float>(stream.uniform(0.7, 1.4));
     puff.rotation = glm::angleAxis(-0.33f, glm::vec3(0, 0, 1));
-    puff.extinctionPerMeter = static_cast<float>(recipe.precipitation * std::clamp(0.45 + 1.6 * curtain, 0.02, 1.5) * (1.0 - 0.65 * down));
+    puff.extinctionPerMeter = static_cast<float>(
+        recipe.precipitation * std::clamp(0.45 + 1.6 * curtain, 0.02, 1.5) * (1.0 - 0.65 * down));
     puffs.push_back(puff);
   }
 }

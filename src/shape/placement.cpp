@@ -8,11 +8,15 @@ namespace cloudgen::shape {
 
 std::vector<glm::dvec3> place(const Placement& placement, int count, base::RandomStream& stream) {
   switch (placement.system) {
-    case CoordinateSystem::Cubic: return placeCubic(placement, count, stream);
-    case CoordinateSystem::Cylindrical: return placeCylindrical(placement, count, stream);
-    case CoordinateSystem::Conical: return placeConical(placement, count, stream);
+    case CoordinateSystem::Cubic:
+      return placeCubic(placement, count, stream);
+    case CoordinateSystem::Cylindrical:
+      return placeCylindrical(placement, count, stream);
+    case CoordinateSystem::Conical:
+      return placeConical(placement, count, stream);
     case CoordinateSystem::Spherical:
-    case CoordinateSystem::HalfSpherical: break;
+    case CoordinateSystem::HalfSpherical:
+      break;
   }
   return placeSpherical(placement, count, stream);
 }
@@ -31,7 +35,9 @@ std::optional<CoordinateSystem> coordinateSystemFromName(std::string_view name) 
 
 std::optional<PlacementVariant> placementVariantFromName(std::string_view name) {
   constexpr std::array<std::pair<std::string_view, PlacementVariant>, 3> kNames{
-      {{"literal", PlacementVariant::Literal}, {"uniform", PlacementVariant::Uniform}, {"incremental", PlacementVariant::Incremental}}};
+      {{"literal", PlacementVariant::Literal},
+       {"uniform", PlacementVariant::Uniform},
+       {"incremental", PlacementVariant::Incremental}}};
   for (const auto& [text, variant] : kNames)
     if (text == name) return variant;
   return std::nullopt;

@@ -27,13 +27,16 @@ T required(std::optional<T> value, const std::string& where, const std::string& 
 Form formFromName(const std::string& name, const std::string& where) {
   for (const auto& [text, form] : kForms)
     if (text == name) return form;
-  throw base::InputError(where, "form \"" + name + "\" is not a known name", "see schemas/recipe.schema.json");
+  throw base::InputError(where, "form \"" + name + "\" is not a known name",
+                         "see schemas/recipe.schema.json");
 }
 
 Placement placementFrom(const json& part, const std::string& where) {
   Placement placement;
-  placement.system = required(coordinateSystemFromName(part.at("coordinate_system").get<std::string>()), where, "coordinate_system");
-  placement.variant = required(placementVariantFromName(part.at("placement").get<std::string>()), where, "placement");
+  placement.system = required(coordinateSystemFromName(part.at("coordinate_system").get<std::string>()),
+                              where, "coordinate_system");
+  placement.variant =
+      required(placementVariantFromName(part.at("placement").get<std::string>()), where, "placement");
   return placement;
 }
 
@@ -72,7 +75,8 @@ Recipe recipeFromJson(const std::string& text, const std::string& where) {
     recipe.alongWind = file.value("along_wind", false);
     return recipe;
   } catch (const json::exception& error) {
-    throw base::InputError(where, std::string("is not a recipe (") + error.what() + ")", "see schemas/recipe.schema.json");
+    throw base::InputError(where, std::string("is not a recipe (") + error.what() + ")",
+                           "see schemas/recipe.schema.json");
   }
 }
 

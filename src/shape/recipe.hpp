@@ -10,39 +10,40 @@ namespace cloudgen::shape {
 
 /// How the sections of a cloud are filled.
 enum class Form {
-  Heap,       ///< lobes on lobes over a flat base: cumulus
-  Tower,      ///< a heap drawn up, with anvil and precipitation: cumulonimbus
-  Cells,      ///< a field of rounded elements: stratocumulus, altocumulus, cirrocumulus
-  Veil,       ///< a continuous layer: stratus, altostratus, cirrostratus, nimbostratus, fog
-  Filaments   ///< threads and hooks bent by shear: cirrus
+  Heap,      ///< lobes on lobes over a flat base: cumulus
+  Tower,     ///< a heap drawn up, with anvil and precipitation: cumulonimbus
+  Cells,     ///< a field of rounded elements: stratocumulus, altocumulus, cirrocumulus
+  Veil,      ///< a continuous layer: stratus, altostratus, cirrostratus, nimbostratus, fog
+  Filaments  ///< threads and hooks bent by shear: cirrus
 };
 
 struct Range {
   float low = 0, high = 0;
 };
 
-/// What a cloud type is made of: a file of templates/types/. Lengths in metres; shares are of the cloud's width unless said.
+/// What a cloud type is made of: a file of templates/types/. Lengths in metres; shares are of the cloud's
+/// width unless said.
 struct Recipe {
   base::Genus genus{};
   Form form = Form::Heap;
-  std::string sprites;            ///< name of the sprite set
+  std::string sprites;  ///< name of the sprite set
   // Sections: the parts of a cloud (lobes, cells, threads).
-  Placement sectionPlacement;     ///< radius and height are shares of half the width and of the depth
+  Placement sectionPlacement;  ///< radius and height are shares of half the width and of the depth
   int sections = 1;
-  float sectionRadius = 0.2f;     ///< share of the width (cells and filaments: of the distance to the next)
+  float sectionRadius = 0.2f;  ///< share of the width (cells and filaments: of the distance to the next)
   // Billboards: the puffs of a section.
   Placement billboardPlacement;
-  int billboards = 8;             ///< at the coarsest level, a section
-  float billboardSize = 0.28f;    ///< standard deviation as a share of the section radius
-  float flattening = 1;           ///< vertical over horizontal deviation of a billboard
+  int billboards = 8;           ///< at the coarsest level, a section
+  float billboardSize = 0.28f;  ///< standard deviation as a share of the section radius
+  float flattening = 1;         ///< vertical over horizontal deviation of a billboard
   // The cloud.
   Range widthMeters, thicknessMeters;
-  float opticalDepth = 10;        ///< typical, vertical
-  bool sheet = false;             ///< covers by overlapping elements that fade out, not by separate clouds
-  float fibre = 0;                ///< 0 smooth .. 1 strongly drawn out along the wind
-  float raggedness = 0.3f;        ///< wisps and scud about the edges, 0..1
-  float precipitation = 0;        ///< optical depth of the shaft below the base, as a share of the cloud's
-  bool alongWind = false;         ///< elements are turned into the wind
+  float opticalDepth = 10;  ///< typical, vertical
+  bool sheet = false;       ///< covers by overlapping elements that fade out, not by separate clouds
+  float fibre = 0;          ///< 0 smooth .. 1 strongly drawn out along the wind
+  float raggedness = 0.3f;  ///< wisps and scud about the edges, 0..1
+  float precipitation = 0;  ///< optical depth of the shaft below the base, as a share of the cloud's
+  bool alongWind = false;   ///< elements are turned into the wind
 };
 
 /// Reads a recipe from the text of its JSON file, checked against schemas/recipe.schema.json by the caller.

@@ -19,7 +19,8 @@ struct Moments {
 glm::dvec3 ownVariance(const Puff& puff) {
   const glm::mat3 axes = glm::mat3_cast(puff.rotation);
   glm::dvec3 variance(0);
-  for (int i = 0; i < 3; ++i) variance += glm::dvec3(axes[i] * axes[i]) * static_cast<double>(puff.sigma[i] * puff.sigma[i]);
+  for (int i = 0; i < 3; ++i)
+    variance += glm::dvec3(axes[i] * axes[i]) * static_cast<double>(puff.sigma[i] * puff.sigma[i]);
   return variance;
 }
 
@@ -58,8 +59,10 @@ void split(std::span<Puff> puffs, int count, std::vector<Puff>& out) {
     return;
   }
   const glm::dvec3 variance = momentsOf(puffs).variance;
-  const int axis = variance.x >= variance.y && variance.x >= variance.z ? 0 : (variance.y >= variance.z ? 1 : 2);
-  std::stable_sort(puffs.begin(), puffs.end(), [axis](const Puff& a, const Puff& b) { return a.center[axis] < b.center[axis]; });
+  const int axis =
+      variance.x >= variance.y && variance.x >= variance.z ? 0 : (variance.y >= variance.z ? 1 : 2);
+  std::stable_sort(puffs.begin(), puffs.end(),
+                   [axis](const Puff& a, const Puff& b) { return a.center[axis] < b.center[axis]; });
   const size_t middle = puffs.size() / 2;
   split(puffs.first(middle), count / 2, out);
   split(puffs.subspan(middle), count - count / 2, out);

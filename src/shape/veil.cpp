@@ -23,21 +23,25 @@ RawShape shapeVeil(const Recipe& recipe, const ShapeRequest& request) {
       glm::dvec3 p((column + jitter.x) * spacing - 0.5 * span, 0, (row + jitter.z) * spacing - 0.5 * span);
       const double q = std::hypot(p.x, p.z) / width;
       if (q > 0.68) continue;
-      const double window = std::exp(-0.5 * (q / 0.29) * (q / 0.29)) * (1.0 - base::smoothStep(0.52, 0.68, q));
+      const double window =
+          std::exp(-0.5 * (q / 0.29) * (q / 0.29)) * (1.0 - base::smoothStep(0.52, 0.68, q));
       // Fibres along the wind, or soft unevenness; a swell lifts top and base together.
-      const double grain = base::fractalNoise({p.x * 9.0 / (width * stretch * stretch), 0.5, p.z * 9.0 * stretch / width}, 4, noiseSeed);
+      const double grain = base::fractalNoise(
+          {p.x * 9.0 / (width * stretch * stretch), 0.5, p.z * 9.0 * stretch / width}, 4, noiseSeed);
       const double swell = base::fractalNoise({p.x * 4.0 / width, 2.5, p.z * 4.0 / width}, 2, noiseSeed + 3);
       const double size = spacing * fills.uniform(0.62, 0.95);
       const double low = fills.uniform();
       Puff puff;
-      const double sigmaY = std::clamp(0.2 * depth * fills.uniform(0.8, 1.2), 1.0, std::max(1.0, size * recipe.flattening * 4.0));
+      const double sigmaY = std::clamp(0.2 * depth * fills.uniform(0.8, 1.2), 1.0,
+                                       std::max(1.0, size * recipe.flattening * 4.0));
       const double y = recipe.genus == base::Genus::Fog ? depth * low * low : depth * (0.2 + 0.6 * low);
       p.y = std::clamp(y + 0.18 * depth * swell, 1.2 * sigmaY, std::max(1.2 * sigmaY, depth - 1.2 * sigmaY));
       puff.center = p;
       puff.sigma = glm::vec3(size * stretch, sigmaY, size / std::sqrt(stretch));
       const double contrast = 0.35 + 1.1 * recipe.fibre + 0.5 * recipe.raggedness;
-      puff.extinctionPerMeter = static_cast<float>(window * std::clamp(1.0 + contrast * 1.8 * grain, 0.12, 2.4) *
-                                                   (recipe.genus == base::Genus::Fog ? 1.25 - low : 1.0));
+      puff.extinctionPerMeter =
+          static_cast<float>(window * std::clamp(1.0 + contrast * 1.8 * grain, 0.12, 2.4) *
+                             (recipe.genus == base::Genus::Fog ? 1.25 - low : 1.0));
       const int blockX = std::clamp(static_cast<int>((p.x / span + 0.5) * blocks), 0, blocks - 1);
       const int blockZ = std::clamp(static_cast<int>((p.z / span + 0.5) * blocks), 0, blocks - 1);
       puff.section = static_cast<std::uint16_t>(blockZ * blocks + blockX);
@@ -53,9 +57,10 @@ RawShape shapeVeil(const Recipe& recipe, const ShapeRequest& request) {
       }
     }
   if (recipe.precipitation > 0)
-    addPrecipitation(shape.precipitation, recipe, {0, 0.1 * depth, 0}, 0.55 * width, std::min(0.45 * depth, 1400.0),
-                     std::max(8, request.puffs / 8), fills);
-  std::stable_sort(shape.puffs.begin(), shape.puffs.end(), [](const Puff& a, const Puff& b) { return a.section < b.section; });
+    addPrecipitation(shape.precipitation, recipe, {0, 0.1 * depth, 0}, 0.55 * width,
+                     std::min(0.45 * depth, 1400.0), std::max(8, request.puffs / 8), fills);
+  std::stable_sort(shape.puffs.begin(), shape.puffs.end(),
+                   [](const Puff& a, const Puff& b) { return a.section < b.section; });
   for (Puff& puff : shape.precipitation) puff.section = static_cast<std::uint16_t>(blocks * blocks);
   return shape;
 }

@@ -24,8 +24,8 @@ std::span<const Format> formats() {
 }
 
 std::span<const std::pair<std::string_view, std::string_view>> formatsNotBuilt() {
-  static constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kLater{{
-      {"tiles", "3D Tiles 1.1"}, {"pack", "realtime runtime pack"}, {"vdb", "OpenVDB volume"}}};
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kLater{
+      {{"tiles", "3D Tiles 1.1"}, {"pack", "realtime runtime pack"}, {"vdb", "OpenVDB volume"}}};
   return kLater;
 }
 
@@ -40,11 +40,13 @@ std::vector<const Format*> chosenFormats(const std::string& list) {
   for (const std::string& name : wanted) {
     for (const auto& [later, what] : formatsNotBuilt())
       if (name == later)
-        throw base::NotBuiltError("--formats " + name, std::string(what) + " is not part of this build", "leave it out; `cloudgen formats` lists what is");
+        throw base::NotBuiltError("--formats " + name, std::string(what) + " is not part of this build",
+                                  "leave it out; `cloudgen formats` lists what is");
     if (std::find(known.begin(), known.end(), name) == known.end()) {
       const std::string nearest = base::nearestWord(name, known);
-      throw base::UsageError("--formats " + name, "is not a known format",
-                             nearest.empty() ? "`cloudgen formats` lists them" : "did you mean " + nearest + "?");
+      throw base::UsageError(
+          "--formats " + name, "is not a known format",
+          nearest.empty() ? "`cloudgen formats` lists them" : "did you mean " + nearest + "?");
     }
   }
   std::vector<const Format*> chosen;

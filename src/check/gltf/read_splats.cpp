@@ -20,8 +20,10 @@ constexpr std::size_t kHeaderBytes = 12, kChunkHeaderBytes = 8;
 class Glb {
  public:
   explicit Glb(const std::filesystem::path& file) : where_(file.string()), bytes_(base::readFile(file)) {
-    if (bytes_.size() < kHeaderBytes + kChunkHeaderBytes || bytes_.compare(0, 4, "glTF") != 0) fail("is not a GLB file");
-    const std::size_t jsonBytes = word(kHeaderBytes), binaryStart = kHeaderBytes + 2 * kChunkHeaderBytes + jsonBytes;
+    if (bytes_.size() < kHeaderBytes + kChunkHeaderBytes || bytes_.compare(0, 4, "glTF") != 0)
+      fail("is not a GLB file");
+    const std::size_t jsonBytes = word(kHeaderBytes),
+                      binaryStart = kHeaderBytes + 2 * kChunkHeaderBytes + jsonBytes;
     if (jsonBytes > bytes_.size() - kHeaderBytes - kChunkHeaderBytes) fail("is cut short in its JSON chunk");
     try {
       root_ = json::parse(std::string_view(bytes_).substr(kHeaderBytes + kChunkHeaderBytes, jsonBytes));
@@ -41,9 +43,12 @@ class Glb {
     const json& accessor = root_.at("accessors").at(accessorIndex);
     const json& view = root_.at("bufferViews").at(accessor.at("bufferView").get<std::size_t>());
     const auto count = accessor.at("count").get<std::size_t>();
-    const std::size_t start = view.value("byteOffset", std::size_t{0}) + accessor.value("byteOffset", std::size_t{0});
-    if (accessor.at("componentType") != kFloat || view.contains("byteStride")) fail("has splat attributes that are not plain floats");
-    if (count > binary_.size() / 4 / components || start > binary_.size() || count * components * 4 > binary_.size() - start)
+    const std::size_t start =
+        view.value("byteOffset", std::size_t{0}) + accessor.value("byteOffset", std::size_t{0});
+    if (accessor.at("componentType") != kFloat || view.contains("byteStride"))
+      fail("has splat attributes that are not plain floats");
+    if (count > binary_.size() / 4 / components || start > binary_.size() ||
+        count * components * 4 > binary_.size() - start)
       fail("has an accessor outside its binary chunk");
     std::vector<float> values(count * components);
     if (!values.empty()) std::memcpy(values.data(), binary_.data() + start, values.size() * 4);
@@ -66,25 +71,34 @@ class Glb {
   json root_;
 };
 
-glm::vec3 triple(const std::vector<float>& values, std::size_t i) { return {values[3 * i], values[3 * i + 1], values[3 * i + 2]}; }
+glm::vec3 triple(const std::vector<float>& values, std::size_t i) {
+  return {values[3 * i], values[3 * i + 1], values[3 * i + 2]};
+}
 
-void readPrimitive(const Glb& glb, const json& attributes, const glm::vec3& translation, std::vector<ReadSplat>& out) {
-  const auto column = [&](const std::string& name, std::size_t components) { return glb.floats(attributes.at(name), components); };
+void readPrimitive(const Glb& glb, const json& attributes, const glm::vec3& translation,
+                   std::vector<ReadSplat>& out) {
+  const auto column = [&](const std::string& name, std::size_t components) {
+    return glb.floats(attributes.at(name), components);
+  };
   const std::string prefix = "KHR_gaussian_splatting:";
-  const auto positions = column("POSITION", 3), scales = column(prefix + "SCALE", 3), rotations = column(prefix + "ROTATION", 4);
+  const auto positions = column("POSITION", 3), scales = column(prefix + "SCALE", 3),
+             rotations = column(prefix + "ROTATION", 4);
   const auto opacities = column(prefix + "OPACITY", 1), base = column(prefix + "SH_DEGREE_0_COEF_0", 3);
   std::array<std::vector<float>, 3> harmonics;
   const bool hasDegree1 = attributes.contains(prefix + "SH_DEGREE_1_COEF_0");
-  for (std::size_t k = 0; hasDegree1 && k < 3; ++k) harmonics[k] = column(prefix + "SH_DEGREE_1_COEF_" + std::to_string(k), 3);
+  for (std::size_t k = 0; hasDegree1 && k < 3; ++k)
+    harmonics[k] = column(prefix + "SH_DEGREE_1_COEF_" + std::to_string(k), 3);
   const std::size_t count = opacities.size();
-  bool even = positions.size() == 3 * count && scales.size() == 3 * count && rotations.size() == 4 * count && base.size() == 3 * count;
+  bool even = positions.size() == 3 * count && scales.size() == 3 * count && rotations.size() == 4 * count &&
+              base.size() == 3 * count;
   for (const auto& values : harmonics) even = even && (!hasDegree1 || values.size() == 3 * count);
   if (!even) glb.fail("has splat attributes of different lengths");
   for (std::size_t i = 0; i < count; ++i) {
     ReadSplat splat;
     splat.center = triple(positions, i) + translation;
     splat.sigma = triple(scales, i);
-    splat.rotation = glm::quat(rotations[4 * i + 3], rotations[4 * i], rotations[4 * i + 1], rotations[4 * i + 2]);
+    splat.rotation =
+        glm::quat(rotations[4 * i + 3], rotations[4 * i], rotations[4 * i + 1], rotations[4 * i + 2]);
     splat.opacity = opacities[i];
     splat.color = triple(base, i) * 0.2820947917738781f + 0.5f;
     for (std::size_t k = 0; hasDegree1 && k < 3; ++k) splat.harmonics[k] = triple(harmonics[k], i);
@@ -103,9 +117,11 @@ SplatFile readSplats(const std::filesystem::path& file) {
       if (!node.contains("mesh")) continue;
       glm::vec3 translation(0);
       if (node.contains("translation"))
-        for (int axis = 0; axis < 3; ++axis) translation[axis] = node["translation"].at(static_cast<std::size_t>(axis));
+        for (int axis = 0; axis < 3; ++axis)
+          translation[axis] = node["translation"].at(static_cast<std::size_t>(axis));
       for (const json& primitive : root.at("meshes").at(node["mesh"].get<std::size_t>()).at("primitives")) {
-        if (!primitive.contains("extensions") || !primitive["extensions"].contains("KHR_gaussian_splatting")) glb.fail("has a primitive without splats");
+        if (!primitive.contains("extensions") || !primitive["extensions"].contains("KHR_gaussian_splatting"))
+          glb.fail("has a primitive without splats");
         readPrimitive(glb, primitive.at("attributes"), translation, out.splats);
       }
     }

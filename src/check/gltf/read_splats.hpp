@@ -15,8 +15,8 @@ struct ReadSplat {
   glm::vec3 center{0}, sigma{1};
   glm::quat rotation{1, 0, 0, 0};
   float opacity = 0;
-  glm::vec3 color{0};                      ///< degree 0: what it shows from every side
-  std::array<glm::vec3, 3> harmonics{};    ///< degree-1 coefficients, zero if the file has none
+  glm::vec3 color{0};                    ///< degree 0: what it shows from every side
+  std::array<glm::vec3, 3> harmonics{};  ///< degree-1 coefficients, zero if the file has none
 };
 
 struct SplatFile {
@@ -24,8 +24,8 @@ struct SplatFile {
   double sunAzimuthDegrees = 180, sunElevationDegrees = 45;  ///< from the asset's extras, if there
 };
 
-/// Reads a .glb of KHR_gaussian_splatting primitives with float attributes in nodes that are only translated, as cloudgen
-/// writes them. Throws InputError where the file is something else or reaches outside its bounds.
+/// Reads a .glb of KHR_gaussian_splatting primitives with float attributes in nodes that are only translated,
+/// as cloudgen writes them. Throws InputError where the file is something else or reaches outside its bounds.
 SplatFile readSplats(const std::filesystem::path& file);
 
 }  // namespace cloudgen::check

@@ -27,7 +27,8 @@ TEST(RandomStream, EveryPartOfTheAddressCounts) {
 /// Pinned: these numbers place every cloud of every scene that was ever made, so they must not change.
 TEST(RandomStream, GoldenValues) {
   RandomStream stream(1, 2, Purpose::Test, 3);
-  const std::uint64_t expected[] = {0xcf77c22000b3487du, 0x67b5b42c8b506947u, 0xb00ed50a5975c476u, 0x639958eb57ca626bu, 0x7ba90223ba438bcfu, 0xd31bd601f56a23f9u};
+  const std::uint64_t expected[] = {0xcf77c22000b3487du, 0x67b5b42c8b506947u, 0xb00ed50a5975c476u,
+                                    0x639958eb57ca626bu, 0x7ba90223ba438bcfu, 0xd31bd601f56a23f9u};
   for (const std::uint64_t value : expected) EXPECT_EQ(stream.bits(), value);
 }
 
