@@ -19,21 +19,21 @@ constexpr std::size_t kHeaderBytes = 12, kChunkHeaderBytes = 8;
 /// The two chunks of a GLB and the accessors into them.
 class Glb {
  public:
-  explicit Glb(const std::filesystem::path& file) : where_(file.string()), bytes_(base::readFile(file)) {
+  Glb(std::string_view bytes, std::string where) : where_(std::move(where)), bytes_(bytes) {
     if (bytes_.size() < kHeaderBytes + kChunkHeaderBytes || bytes_.compare(0, 4, "glTF") != 0)
       fail("is not a GLB file");
     const std::size_t jsonBytes = word(kHeaderBytes),
                       binaryStart = kHeaderBytes + 2 * kChunkHeaderBytes + jsonBytes;
     if (jsonBytes > bytes_.size() - kHeaderBytes - kChunkHeaderBytes) fail("is cut short in its JSON chunk");
     try {
-      root_ = json::parse(std::string_view(bytes_).substr(kHeaderBytes + kChunkHeaderBytes, jsonBytes));
+      root_ = json::parse(bytes_.substr(kHeaderBytes + kChunkHeaderBytes, jsonBytes));
     } catch (const json::exception& error) {
       fail(std::string("has a broken JSON chunk (") + error.what() + ")");
     }
     if (binaryStart > bytes_.size()) return;
     const std::size_t binaryBytes = word(binaryStart - kChunkHeaderBytes);
     if (binaryBytes > bytes_.size() - binaryStart) fail("is cut short in its binary chunk");
-    binary_ = std::string_view(bytes_).substr(binaryStart, binaryBytes);
+    binary_ = bytes_.substr(binaryStart, binaryBytes);
   }
 
   const json& root() const { return root_; }
@@ -66,8 +66,8 @@ class Glb {
     return value;
   }
 
-  std::string where_, bytes_;
-  std::string_view binary_;
+  std::string where_;
+  std::string_view bytes_, binary_;
   json root_;
 };
 
@@ -108,8 +108,10 @@ void readPrimitive(const Glb& glb, const json& attributes, const glm::vec3& tran
 
 }  // namespace
 
-SplatFile readSplats(const std::filesystem::path& file) {
-  const Glb glb(file);
+SplatFile readSplats(const std::filesystem::path& file) { return readSplats(base::readFile(file), file.string()); }
+
+SplatFile readSplats(std::string_view bytes, const std::string& where) {
+  const Glb glb(bytes, where);
   SplatFile out;
   try {
     const json& root = glb.root();

@@ -6,6 +6,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace cloudgen::check {
@@ -27,5 +28,8 @@ struct SplatFile {
 /// Reads a .glb of KHR_gaussian_splatting primitives with float attributes in nodes that are only translated,
 /// as cloudgen writes them. Throws InputError where the file is something else or reaches outside its bounds.
 SplatFile readSplats(const std::filesystem::path& file);
+
+/// The same from the bytes of a file; `where` names it in messages.
+SplatFile readSplats(std::string_view bytes, const std::string& where);
 
 }  // namespace cloudgen::check

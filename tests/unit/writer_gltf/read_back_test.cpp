@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// The reader of written splats is a second opinion: it must see what the scene holds.
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "check/gltf/read_splats.hpp"
+#include "support/gltf_scene.hpp"
+#include "support/scratch.hpp"
+#include "writer/gltf/gltf.hpp"
+
+namespace cloudgen::writer {
+namespace {
+
+TEST(ReadBack, SeesEveryPuffWhereTheSceneHasIt) {
+  const scene::Scene scene = test::gltfScene();
+  const test::Scratch folder;
+  writeSplats(scene, {folder.path(), {}});
+  const check::SplatFile file = check::readSplats(folder.path() / "scene.splats.glb");
+
+  std::vector<shape::Puff> expected;
+  for (const scene::Instance& instance : scene.instances)
+    for (const shape::Puff& puff : scene.archetypes[scene.lit[instance.lit].archetype].puffs) {
+      const shape::Puff placed = scene::placed(scene, instance, puff);
+      if (-std::expm1(-shape::frontalOpticalDepth(placed)) >= 0.004f) expected.push_back(placed);
+    }
+  ASSERT_EQ(file.splats.size(), expected.size());
+  for (const shape::Puff& puff : expected)
+    EXPECT_TRUE(std::any_of(file.splats.begin(), file.splats.end(), [&](const check::ReadSplat& splat) {
+      return glm::length(splat.center - puff.center) < 0.05f && glm::length(splat.sigma - puff.sigma) < 0.01f;
+    }));
+  EXPECT_NEAR(file.sunElevationDegrees, scene.sun.elevationDegrees, 1e-9);
+}
+
+TEST(ReadBack, RefusesWhatIsCutShort) {
+  const scene::Scene scene = test::gltfScene();
+  const test::Scratch folder;
+  writeSplats(scene, {folder.path(), {}});
+  const std::string whole = base::readFile(folder.path() / "scene.splats.glb");
+  for (int part = 0; part < 50; ++part)
+    EXPECT_THROW(check::readSplats(whole.substr(0, whole.size() * static_cast<std::size_t>(part) / 50), "cut.glb"), base::InputError);
+}
+
+}  // namespace
+}  // namespace cloudgen::writer
