@@ -11,13 +11,17 @@ set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 
 find_program(CCACHE ccache)
 if(CCACHE)
-  set(CMAKE_CXX_COMPILER_LAUNCHER "${CCACHE}")
+  # Precompiled headers are cached only with these.
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${CMAKE_COMMAND}" -E env CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime "${CCACHE}")
 endif()
 
 add_library(cloudgen_options INTERFACE)
 target_include_directories(cloudgen_options INTERFACE "${PROJECT_SOURCE_DIR}/src")
 # No fused multiply-add and no relaxed arithmetic: the same bytes on every machine.
 target_compile_options(cloudgen_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wno-missing-field-initializers -ffp-contract=off)
+if(CCACHE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  target_compile_options(cloudgen_options INTERFACE -fpch-preprocess)
+endif()
 if(CLOUDGEN_WERROR)
   target_compile_options(cloudgen_options INTERFACE -Werror)
 endif()

@@ -11,7 +11,7 @@ namespace {
 /// Borders that differ by less than this many degrees (a tenth of a millimetre) are the same border.
 constexpr double kSameDegrees = 1e-9;
 
-bool isGeographic(const Grid& grid) { return grid.crs.starts_with("+proj=longlat"); }
+[[maybe_unused]] bool isGeographic(const Grid& grid) { return grid.crs.starts_with("+proj=longlat"); }
 
 /// The one place where grid units become degrees; a projected crs goes through PROJ here.
 GeoPoint fromGridUnits([[maybe_unused]] const Grid& grid, double x, double y) {

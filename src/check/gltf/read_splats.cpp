@@ -108,7 +108,9 @@ void readPrimitive(const Glb& glb, const json& attributes, const glm::vec3& tran
 
 }  // namespace
 
-SplatFile readSplats(const std::filesystem::path& file) { return readSplats(base::readFile(file), file.string()); }
+SplatFile readSplats(const std::filesystem::path& file) {
+  return readSplats(base::readFile(file), file.string());
+}
 
 SplatFile readSplats(std::string_view bytes, const std::string& where) {
   const Glb glb(bytes, where);

@@ -39,7 +39,9 @@ TEST(ReadBack, RefusesWhatIsCutShort) {
   writeSplats(scene, {folder.path(), {}});
   const std::string whole = base::readFile(folder.path() / "scene.splats.glb");
   for (int part = 0; part < 50; ++part)
-    EXPECT_THROW(check::readSplats(whole.substr(0, whole.size() * static_cast<std::size_t>(part) / 50), "cut.glb"), base::InputError);
+    EXPECT_THROW(
+        check::readSplats(whole.substr(0, whole.size() * static_cast<std::size_t>(part) / 50), "cut.glb"),
+        base::InputError);
 }
 
 }  // namespace
