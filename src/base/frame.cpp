@@ -14,6 +14,19 @@ namespace {
 
 PJ* projection(const std::shared_ptr<void>& pointer) { return static_cast<PJ*>(pointer.get()); }
 
+std::string mappingOf(const GeoBox& box) {
+  constexpr double kWidestAzimuthal = 150.0;
+  const double latitude = box.centerLatitude();
+  const std::string center = shortest(box.centerLongitude());
+  if (box.width() <= kWidestAzimuthal)
+    return fmt::format("+proj=laea +lat_0={} +lon_0={} +datum=WGS84 +units=m +type=crs", shortest(latitude),
+                       center);
+  if (box.south > 0 || box.north < 0)
+    return fmt::format("+proj=laea +lat_0={} +lon_0={} +datum=WGS84 +units=m +type=crs",
+                       latitude > 0 ? 90 : -90, center);
+  return fmt::format("+proj=cea +lat_ts=30 +lon_0={} +datum=WGS84 +units=m +type=crs", center);
+}
+
 }  // namespace
 
 double wrappedLongitude(double longitudeDegrees) {
@@ -54,8 +67,7 @@ GeoBox boxFromText(const std::string& text) {
 }
 
 LocalFrame::LocalFrame(const GeoBox& box) : box_(box) {
-  definition_ = fmt::format("+proj=laea +lat_0={} +lon_0={} +datum=WGS84 +units=m +type=crs",
-                            shortest(box.centerLatitude()), shortest(box.centerLongitude()));
+  definition_ = mappingOf(box);
   context_ = std::shared_ptr<void>(proj_context_create(),
                                    [](void* p) { proj_context_destroy(static_cast<PJ_CONTEXT*>(p)); });
   const auto context = static_cast<PJ_CONTEXT*>(context_.get());

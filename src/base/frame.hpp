@@ -29,8 +29,10 @@ double wrappedLongitude(double longitudeDegrees);
 GeoBox boxFromText(const std::string& text);
 
 /// The scene frame: metres, x east, y up (height above mean sea level), z south, origin at the box's
-/// south-west corner at sea level. Horizontal mapping: Lambert azimuthal equal-area on WGS84, tangent at the
-/// box's centre (by PROJ), so that areas, and with them cloud cover, are true everywhere in the scene.
+/// south-west corner at sea level. The horizontal mapping (by PROJ, WGS84) is equal-area, so that cloud cover
+/// is true everywhere in the scene: Lambert azimuthal, tangent at the box's centre; for boxes wider than 150
+/// degrees tangent at the pole if they lie about one, else Lambert cylindrical true at 30 degrees (azimuthal
+/// maps have no antipode).
 class LocalFrame {
  public:
   explicit LocalFrame(const GeoBox& box);

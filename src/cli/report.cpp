@@ -73,7 +73,7 @@ ordered_json reportOf(const field::Source& source, const pipeline::Outcome& outc
                       {"clouds", scene.clouds.size()},
                       {"puffs", scene::drawnPuffs(scene)},
                       {"archetypes", scene.archetypes.size()},
-                      {"tiles", 1}};
+                      {"tiles", scene::tilesOf(scene).size()}};
   report["genera"] = generaOf(scene);
   report["rules"] = rulesOf(scene);
   report["enlargement"] = rounded(outcome.enlargement, 1000);

@@ -101,7 +101,10 @@ Generalisation generalise(const field::Grid& grid, std::span<const field::Layer>
       (coarsestPuffs(middle) > budget ? tooFew : enough) = middle;
     }
   }
-  const double richness = std::clamp(budget / std::max(coarsestPuffs(enough), 1.0), 1.0, 400.0);
+  // Below 1 only where enlargement has reached its limit: clouds are then told by fewer puffs than they
+  // should have.
+  const double richness =
+      std::clamp(static_cast<double>(options.maxPuffs) / std::max(coarsestPuffs(enough), 1.0), 0.1, 400.0);
   for (const base::Genus genus : base::allGenera())
     out.puffsPerCloud[static_cast<size_t>(genus)] =
         static_cast<int>(fewestPuffs(options.recipes.of(genus)) * richness);

@@ -114,7 +114,7 @@ scene::LitArchetype lightArchetype(std::uint32_t index, int yawStep, const scene
   lit.archetype = index;
   lit.yawStep = yawStep;
   lit.puffs = light::shadePuffs(archetype.puffs, grid, lighting, shadingOf(archetype.genus));
-  lit.farPuffs = light::shadePuffs(archetype.farPuffs, grid, lighting, shadingOf(archetype.genus));
+  lit.farPuffs = light::averageLight(archetype.puffs, lit.puffs, archetype.farPuffs);
   return lit;
 }
 

@@ -56,4 +56,17 @@ std::vector<Tile> tilesOf(const Scene& scene, float sideMeters) {
   return out;
 }
 
+std::vector<Tile> tilesOf(const Scene& scene) {
+  if (scene.instances.empty()) return {};
+  glm::vec3 lower(1e30f), upper(-1e30f);
+  for (const Instance& instance : scene.instances) {
+    lower = glm::min(lower, instance.position);
+    upper = glm::max(upper, instance.position);
+  }
+  float sideMeters = std::max({(upper.x - lower.x) / 4, (upper.z - lower.z) / 4, 1000.0f});
+  auto tiles = tilesOf(scene, sideMeters);
+  while (tiles.size() > kMostTiles) tiles = tilesOf(scene, sideMeters *= 1.1f);
+  return tiles;
+}
+
 }  // namespace cloudgen::scene

@@ -103,4 +103,10 @@ struct Tile {
 /// Splits the ground into squares of the given side; only tiles with clouds, row by row from the north-west.
 std::vector<Tile> tilesOf(const Scene& scene, float sideMeters);
 
+/// The most tiles that a scene is cut into where a format keeps its clouds by tile.
+inline constexpr std::size_t kMostTiles = 16;
+
+/// Squares of one size, a quarter of the scene's extent or larger, so that there are at most kMostTiles.
+std::vector<Tile> tilesOf(const Scene& scene);
+
 }  // namespace cloudgen::scene

@@ -54,19 +54,6 @@ float splatOpacity(const shape::Puff& placedPuff) {
   return -std::expm1(-shape::frontalOpticalDepth(placedPuff));
 }
 
-std::vector<scene::Tile> splatTiles(const scene::Scene& scene) {
-  if (scene.instances.empty()) return {};
-  glm::vec3 lower(1e30f), upper(-1e30f);
-  for (const auto& instance : scene.instances) {
-    lower = glm::min(lower, instance.position);
-    upper = glm::max(upper, instance.position);
-  }
-  float sideMeters = std::max({(upper.x - lower.x) / 4, (upper.z - lower.z) / 4, 1000.0f});
-  auto tiles = scene::tilesOf(scene, sideMeters);
-  while (tiles.size() > kMostTiles) tiles = scene::tilesOf(scene, sideMeters *= 1.1f);
-  return tiles;
-}
-
 glm::dvec3 tileCenter(const scene::Tile& tile) {
   return glm::round(0.5 * (glm::dvec3(tile.lower) + glm::dvec3(tile.upper)));
 }

@@ -10,9 +10,8 @@
 
 namespace cloudgen::writer::gltf {
 
-/// Viewers order the splats of one primitive among themselves, and primitives as wholes: few tiles look
-/// better than many.
-inline constexpr std::size_t kMostTiles = 16;
+/// Viewers order the splats of one primitive among themselves, and primitives as wholes: few tiles
+/// (scene::tilesOf) look better than many.
 inline constexpr std::size_t kMostSplatsOfTile = 200'000;
 /// Below this a splat is not seen: 8-bit viewers round it to one step or none.
 inline constexpr float kLeastOpacity = 0.004f;
@@ -26,11 +25,8 @@ struct Splat {
   glm::vec3 towardsSun{0};  ///< sRGB-encoded: what degree 1 adds at full when one looks straight at the sun
 };
 
-/// 1 - exp(-optical depth) of a puff along its mean direction.
+/// 1 - exp(-optical depth) of a puff along its shortest axis.
 float splatOpacity(const shape::Puff& placedPuff);
-
-/// The fewest squares of the ground that still tell near from far: at most kMostTiles.
-std::vector<scene::Tile> splatTiles(const scene::Scene& scene);
 
 /// The middle of a tile's box, in whole metres, so that it is exact as a float and short as a text.
 glm::dvec3 tileCenter(const scene::Tile& tile);

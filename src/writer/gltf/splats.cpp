@@ -83,7 +83,7 @@ void writeSplats(const scene::Scene& scene, const Destination& destination) {
                                  {"colorSpace", "srgb_rec709_display"},
                                  {"projection", "perspective"},
                                  {"sortingMethod", "cameraDistance"}};
-  const auto tiles = splatTiles(scene);
+  const auto tiles = scene::tilesOf(scene);
   for (std::size_t t = 0; t < tiles.size(); ++t) {
     destination.progress.step("splats", static_cast<double>(t) / static_cast<double>(tiles.size()));
     const scene::Tile& tile = tiles[t];

@@ -70,6 +70,30 @@ TEST(LocalFrame, ThereAndBackIsTheSamePlaceWithinTwoMillimetres) {
   }
 }
 
+TEST(LocalFrame, BoxesAboutTheGlobeHaveNoPlaceOutsideOfTheMap) {
+  for (const GeoBox& box : {GeoBox{-180, -90, 180, 90}, GeoBox{-180, 55, 180, 90}, GeoBox{-90, -30, 90, 60},
+                            GeoBox{20, -88, -20, -60}}) {
+    const LocalFrame frame(box);
+    EXPECT_TRUE(std::isfinite(frame.lowerCorner().x + frame.lowerCorner().y + frame.upperCorner().x +
+                              frame.upperCorner().y));
+    for (int i = 0; i <= 16; ++i)
+      for (int j = 0; j <= 16; ++j) {
+        const double longitude = box.west + box.width() * (i + 0.5) / 17.1;
+        const double latitude = std::clamp(box.south + box.height() * j / 16, -89.5, 89.5);
+        const glm::dvec3 back = frame.toGeographic(frame.toScene(longitude, latitude, 0));
+        // Near the poles of a cylindrical map a micrometre on it is decimetres on the ground.
+        EXPECT_LT(std::abs(back.y - latitude) * 111320, 0.5) << frame.definition();
+        EXPECT_LT(std::abs(std::remainder(back.x - longitude, 360.0)) * 111320 *
+                      std::cos(latitude * std::numbers::pi / 180),
+                  0.5);
+      }
+    const double west = box.west + 0.3 * box.width(), south = box.south + 0.4 * box.height();
+    EXPECT_NEAR(sceneArea(frame, west, south, west + 2, south + 2) /
+                    ellipsoidalArea(west, south, west + 2, south + 2),
+                1, 1e-3);
+  }
+}
+
 TEST(LocalFrame, CellsKeepTheirArea) {
   for (const GeoBox& box : kBoxes) {
     const LocalFrame frame(box);

@@ -170,7 +170,7 @@ TEST(Splats, TilesAreFewAndHoldTheirSplats) {
   for (const int rows : {1, 4, 12}) {
     const scene::Scene scene = test::gltfScene(20, rows);
     const test::Glb glb = written(scene);
-    EXPECT_LE(glb.json["nodes"].size(), gltf::kMostTiles);
+    EXPECT_LE(glb.json["nodes"].size(), scene::kMostTiles);
     std::size_t clouds = 0;
     for (const auto& node : glb.json["nodes"]) {
       clouds += node["extras"]["clouds"].get<std::size_t>();
