@@ -52,14 +52,19 @@ std::optional<std::pair<double, double>> sunFromText(const std::string& text) {
   return std::pair{azimuth, elevation};
 }
 
-void checkTime(const std::string& wanted, const field::SourceInfo& info) {
-  if (wanted == "all") return;
-  const auto time = base::utcFromIso(wanted);
+/// Nothing for "all": the first is built.
+std::optional<base::UtcTime> timeFromText(const std::string& text) {
+  if (text == "all") return std::nullopt;
+  const auto time = base::utcFromIso(text);
   if (!time)
-    throw base::UsageError("--time " + wanted, "is not an ISO time",
+    throw base::UsageError("--time " + text, "is not an ISO time",
                            "as in --time 2011-01-15T12:00Z, or --time all");
-  if (*time != info.validTime)
-    throw base::InputError(info.files.front(), "has no data for " + base::isoText(*time),
+  return time;
+}
+
+void checkTime(const std::optional<base::UtcTime>& wanted, const field::SourceInfo& info) {
+  if (wanted && *wanted != info.validTime)
+    throw base::InputError(info.files.front(), "has no data for " + base::isoText(*wanted),
                            "it is valid at " + base::isoText(info.validTime));
 }
 
@@ -112,8 +117,10 @@ int build(const BuildLine& line, const Terminal& terminal) {
 
   options.recipes = pipeline::readRecipes(line.types.empty() ? base::dataDir() / "templates" / "types"
                                                              : std::filesystem::path(line.types));
-  const auto source = input::open({line.inputs.begin(), line.inputs.end()});
-  checkTime(line.time, source->info());
+  input::OpenOptions opening;
+  opening.time = timeFromText(line.time);
+  const auto source = input::open({line.inputs.begin(), line.inputs.end()}, opening);
+  checkTime(opening.time, source->info());
   base::StagedFolder folder(line.output, line.overwrite);
   watch.lap("open");
   const pipeline::Outcome outcome = pipeline::run(*source, options, progress);

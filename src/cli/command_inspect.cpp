@@ -19,27 +19,41 @@ struct InspectOptions {
 
 std::string runText(const field::SourceInfo& info) { return info.run ? base::isoText(*info.run) : ""; }
 
+std::vector<std::string> texts(const std::vector<field::Warning>& warnings) {
+  std::vector<std::string> lines;
+  for (const field::Warning& warning : warnings) lines.push_back(warning.text);
+  return lines;
+}
+
+nlohmann::ordered_json warningsJson(const field::SourceInfo& info) {
+  auto array = nlohmann::ordered_json::array();
+  for (const field::Warning& warning : info.warnings)
+    array.push_back({{"id", warning.id}, {"text", warning.text}});
+  return array;
+}
+
 std::string inspectedJson(const field::Source& source) {
   const field::SourceInfo& info = source.info();
   const field::Grid& grid = source.grid();
   const base::GeoBox box = field::extent(grid);
-  nlohmann::ordered_json json{{"files", info.files},
-                              {"format", info.format},
-                              {"model", info.model},
-                              {"run", runText(info)},
-                              {"valid_time", base::isoText(info.validTime)},
-                              {"grid",
-                               {{"crs", grid.crs},
-                                {"columns", grid.columns},
-                                {"rows", grid.rows},
-                                {"first", {grid.firstX, grid.firstY}},
-                                {"step", {grid.stepX, grid.stepY}},
-                                {"wraps_longitude", grid.wrapsLongitude}}},
-                              {"bbox", {box.west, box.south, box.east, box.north}},
-                              {"levels_pa", info.levelPressuresPa},
-                              {"fields", info.fields},
-                              {"missing", info.missing},
-                              {"warnings", info.warnings}};
+  nlohmann::ordered_json json{
+      {"files", info.files},
+      {"format", info.format},
+      {"model", info.model},
+      {"run", runText(info)},
+      {"valid_time", base::isoText(info.validTime)},
+      {"grid",
+       {{"crs", grid.crs},
+        {"columns", grid.columns},
+        {"rows", grid.rows},
+        {"first", {grid.firstX, grid.firstY}},
+        {"step", {grid.stepX, grid.stepY}},
+        {"wraps_longitude", grid.wrapsLongitude}}},
+      {"bbox", {box.west, box.south, box.east, box.north}},
+      {"levels", {{"kind", info.levels.kind}, {"unit", info.levels.unit}, {"values", info.levels.values}}},
+      {"fields", info.fields},
+      {"missing", info.missing},
+      {"warnings", warningsJson(info)}};
   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
@@ -60,11 +74,12 @@ std::string inspectedText(const field::Source& source) {
                       grid.wrapsLongitude ? ", all around the Earth" : "");
   text += fmt::format("box:        {:g},{:g},{:g},{:g} (west, south, east, north)\n", box.west, box.south,
                       box.east, box.north);
-  if (!info.levelPressuresPa.empty())
-    text += fmt::format("levels:     {} with cloud water, {:g} to {:g} hPa\n", info.levelPressuresPa.size(),
-                        info.levelPressuresPa.front() / 100, info.levelPressuresPa.back() / 100);
+  if (!info.levels.values.empty())
+    text += fmt::format("levels:     {} {} levels, {:g} to {:g} {}\n", info.levels.values.size(),
+                        info.levels.kind, info.levels.values.front(), info.levels.values.back(),
+                        info.levels.unit);
   text += paragraph("used", info.fields) + paragraph("not in the input", info.missing) +
-          paragraph("warnings", info.warnings);
+          paragraph("warnings", texts(info.warnings));
   text.pop_back();
   return text;
 }

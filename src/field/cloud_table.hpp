@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/genus.hpp"
@@ -22,8 +22,10 @@ struct Layer {
   float kIndexC = 0;
   float windEast = 0, windNorth = 0;    ///< mean over the layer
   float shearEast = 0, shearNorth = 0;  ///< top minus base
+  int cloudCount = 0;                   ///< where the source counts its clouds (weather codes); 0: by cover
+  float spacingMeters = 0;              ///< least distance between those clouds
   base::Genus genus{};
-  std::string rule;  ///< id of the rule that decided the genus
+  std::string_view rule;  ///< id of the rule that decided the genus (typeRules()); empty: not decided
 
   float depthMeters() const { return topMeters - baseMeters; }
   float opticalDepth() const { return liquidOpticalDepth + iceOpticalDepth; }

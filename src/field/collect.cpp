@@ -166,8 +166,7 @@ class Collector {
   }
 
   double latitudeOf(std::size_t column) const {
-    const std::uint32_t index = result_.columns[column];
-    return pointAt(result_.grid, result_.grid.column(index), result_.grid.row(index)).latitudeDegrees;
+    return centerOf(result_.grid, result_.columns[column]).latitudeDegrees;
   }
 
   bool belowSurface(const Slab& slab, std::size_t c) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "field/grid.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <numbers>
@@ -43,9 +44,44 @@ bool columnTouches(const Grid& grid, int column, const base::GeoBox& box) {
 
 }  // namespace
 
-GeoPoint pointAt(const Grid& grid, double column, double row) {
-  return fromGridUnits(grid, grid.firstX + column * grid.stepX, grid.firstY + row * grid.stepY);
+int Grid::column(std::uint32_t index) const {
+  return static_cast<int>(index % static_cast<std::uint32_t>(columns));
 }
+
+int Grid::row(std::uint32_t index) const {
+  return static_cast<int>(index / static_cast<std::uint32_t>(columns));
+}
+
+GeoPoint pointIn(const Grid& grid, std::uint32_t cell, double u, double v) {
+  return fromGridUnits(grid, grid.firstX + (grid.column(cell) + u - 0.5) * grid.stepX,
+                       grid.firstY + (grid.row(cell) + v - 0.5) * grid.stepY);
+}
+
+GeoPoint centerOf(const Grid& grid, std::uint32_t cell) { return pointIn(grid, cell, 0.5, 0.5); }
+
+glm::dvec2 cellSidesMeters(const Grid& grid, std::uint32_t cell) {
+  constexpr double kDegree = std::numbers::pi / 180.0;
+  const double latitude = centerOf(grid, cell).latitudeDegrees * kDegree;
+  return {std::cos(latitude) * std::abs(grid.stepX) * kDegree * kEarthRadiusMeters,
+          std::abs(grid.stepY) * kDegree * kEarthRadiusMeters};
+}
+
+double shareInside(const Grid& grid, std::uint32_t cell, const base::GeoBox& box) {
+  const GeoPoint center = centerOf(grid, cell);
+  const double halfX = 0.5 * std::abs(grid.stepX), halfY = 0.5 * std::abs(grid.stepY);
+  const double west = base::wrappedLongitude(center.longitudeDegrees - box.centerLongitude());
+  const double x = std::min(west + halfX, 0.5 * box.width()) - std::max(west - halfX, -0.5 * box.width());
+  const double y = std::min(center.latitudeDegrees + halfY, box.north) -
+                   std::max(center.latitudeDegrees - halfY, box.south);
+  return std::clamp(x / (2 * halfX), 0.0, 1.0) * std::clamp(y / (2 * halfY), 0.0, 1.0);
+}
+
+double axisAngle(const Grid&, std::uint32_t) { return 0; }
+
+struct CellFinder::Search {};
+CellFinder::CellFinder(const Grid&) {}
+CellFinder::~CellFinder() = default;
+std::optional<std::uint32_t> CellFinder::at(const GeoPoint&) const { return std::nullopt; }
 
 double cellAreaSquareMeters(const Grid& grid, std::uint32_t index) {
   assert(isGeographic(grid) && index < grid.size());
@@ -80,12 +116,19 @@ base::GeoBox extent(const Grid& grid) {
   return box;
 }
 
-std::int64_t neighbour(const Grid& grid, std::uint32_t index, int columnStep, int rowStep) {
-  const std::int64_t row = std::int64_t{grid.row(index)} + rowStep;
-  std::int64_t column = std::int64_t{grid.column(index)} + columnStep;
-  if (grid.wrapsLongitude) column = (column % grid.columns + grid.columns) % grid.columns;
-  if (row < 0 || row >= grid.rows || column < 0 || column >= grid.columns) return -1;
-  return grid.index(static_cast<int>(column), static_cast<int>(row));
+std::vector<std::uint32_t> neighbours(const Grid& grid, std::uint32_t cell) {
+  std::vector<std::uint32_t> found;
+  for (int rowStep = -1; rowStep <= 1; ++rowStep)
+    for (int columnStep = -1; columnStep <= 1; ++columnStep) {
+      const int row = grid.row(cell) + rowStep;
+      int column = grid.column(cell) + columnStep;
+      if (grid.wrapsLongitude) column = (column % grid.columns + grid.columns) % grid.columns;
+      if (row < 0 || row >= grid.rows || column < 0 || column >= grid.columns) continue;
+      if (grid.index(column, row) != cell) found.push_back(grid.index(column, row));
+    }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
 }
 
 }  // namespace cloudgen::field

@@ -21,6 +21,10 @@ std::string_view quantityName(Quantity quantity) {
       return "specific humidity";
     case Quantity::GeopotentialHeight:
       return "geopotential height";
+    case Quantity::Height:
+      return "height";
+    case Quantity::HeightAboveGround:
+      return "height above ground";
     case Quantity::Pressure:
       return "pressure";
     case Quantity::WindEast:

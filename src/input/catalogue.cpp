@@ -16,7 +16,8 @@ namespace {
 struct Reader {
   std::string_view name;
   bool (*recognises)(std::string_view firstBytes);
-  std::unique_ptr<field::Source> (*open)(const std::vector<std::filesystem::path>& files);
+  std::unique_ptr<field::Source> (*open)(const std::vector<std::filesystem::path>& files,
+                                         const OpenOptions& options);
 };
 
 /// One line a format; the first that recognises a file reads it.
@@ -56,7 +57,8 @@ const Reader& readerOf(const std::filesystem::path& file) {
 
 }  // namespace
 
-std::unique_ptr<field::Source> open(const std::vector<std::filesystem::path>& files) {
+std::unique_ptr<field::Source> open(const std::vector<std::filesystem::path>& files,
+                                    const OpenOptions& options) {
   if (files.empty())
     throw base::UsageError("input", "no file is named", "name a GRIB file or a described sky");
   const Reader& reader = readerOf(files.front());
@@ -65,7 +67,7 @@ std::unique_ptr<field::Source> open(const std::vector<std::filesystem::path>& fi
       throw base::InputError(
           file.string(), fmt::format("is {}, but {} is {}", other.name, files.front().string(), reader.name),
           "give files of one format at a time");
-  return reader.open(files);
+  return reader.open(files, options);
 }
 
 }  // namespace cloudgen::input

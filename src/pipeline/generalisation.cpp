@@ -7,21 +7,6 @@
 #include "shape/generate.hpp"
 
 namespace cloudgen::pipeline {
-namespace {
-
-/// Share of a cell's area that lies in the box, by its extent in degrees.
-double shareInside(const field::Grid& grid, std::uint32_t cell, const base::GeoBox& box) {
-  const field::GeoPoint center = field::pointAt(grid, grid.column(cell), grid.row(cell));
-  const double halfX = 0.5 * std::abs(grid.stepX), halfY = 0.5 * std::abs(grid.stepY);
-  const double west = base::wrappedLongitude(center.longitudeDegrees - box.centerLongitude());
-  const double x = std::min(west + halfX, 0.5 * box.width()) - std::max(west - halfX, -0.5 * box.width());
-  const double y = std::min(center.latitudeDegrees + halfY, box.north) -
-                   std::max(center.latitudeDegrees - halfY, box.south);
-  return std::clamp(x / (2 * halfX), 0.0, 1.0) * std::clamp(y / (2 * halfY), 0.0, 1.0);
-}
-
-}  // namespace
-
 int fewestPuffs(const shape::Recipe& recipe) {
   switch (recipe.form) {
     case shape::Form::Heap:
@@ -75,7 +60,7 @@ Generalisation generalise(const field::Grid& grid, std::span<const field::Layer>
   double cellArea = 0;
   for (const field::Layer& layer : layers) {
     const double area = field::cellAreaSquareMeters(grid, layer.cell);
-    areas.push_back(layer.fraction * shareInside(grid, layer.cell, box) * area);
+    areas.push_back(layer.fraction * field::shareInside(grid, layer.cell, box) * area);
     cellArea = std::max(cellArea, area);
   }
   out.widestMeters = 0.5 * std::sqrt(cellArea);

@@ -98,25 +98,39 @@ std::vector<Layer> locateLayers(const field::CloudColumns& columns) {
   return layers;
 }
 
-std::vector<Layer> locateLayers(const field::Grid&, std::span<const field::TypedLayer> typed) {
-  std::vector<Layer> layers;
-  std::map<std::uint32_t, std::uint16_t> counts;
-  for (const field::TypedLayer& stated : typed) {
-    Layer layer;
-    layer.cell = stated.cell;
-    layer.ordinal = counts[stated.cell]++;
-    layer.baseMeters = stated.baseMeters;
-    layer.topMeters = stated.topMeters;
-    layer.fraction = stated.coverFraction;
-    layer.liquidOpticalDepth = stated.opticalDepth;
-    layer.windEast = stated.windEast;
-    layer.windNorth = stated.windNorth;
-    layer.shearEast = stated.shearEast;
-    layer.shearNorth = stated.shearNorth;
-    layer.genus = stated.genus;
+Layer layerFrom(const field::StatedLayer& stated, std::uint16_t ordinal) {
+  Layer layer;
+  layer.cell = stated.cell;
+  layer.ordinal = ordinal;
+  layer.baseMeters = stated.baseMeters;
+  layer.topMeters = stated.topMeters;
+  layer.fraction = stated.coverFraction;
+  layer.liquidOpticalDepth = (1 - stated.iceShare) * stated.opticalDepth;
+  layer.iceOpticalDepth = stated.iceShare * stated.opticalDepth;
+  layer.windEast = stated.windEast;
+  layer.windNorth = stated.windNorth;
+  layer.shearEast = stated.shearEast;
+  layer.shearNorth = stated.shearNorth;
+  layer.cloudCount = stated.cloudCount;
+  layer.spacingMeters = stated.spacingMeters;
+  if (stated.genus) {
+    layer.genus = *stated.genus;
     layer.rule = "stated";
-    layers.push_back(layer);
   }
+  return layer;
+}
+
+std::vector<Layer> locateLayers(const field::Source& source, std::span<const std::uint32_t> cells) {
+  const std::vector<float> surface = source.surface(cells).heightMeters;
+  std::vector<Layer> layers;
+  std::size_t column = 0;
+  source.visitLayers(cells, [&](const field::StatedLayer& stated) {
+    while (cells[column] != stated.cell) ++column;
+    const bool another = !layers.empty() && layers.back().cell == stated.cell;
+    const auto ordinal = static_cast<std::uint16_t>(another ? layers.back().ordinal + 1 : 0);
+    layers.push_back(layerFrom(stated, ordinal));
+    if (!surface.empty()) layers.back().surfaceMeters = surface[column];
+  });
   return layers;
 }
 
@@ -125,9 +139,9 @@ std::uint32_t joinPatches(const field::Grid& grid, std::vector<Layer>& layers) {
   for (std::uint32_t i = 0; i < layers.size(); ++i) byCell[layers[i].cell].push_back(i);
   Sets sets(layers.size());
   for (const auto& [cell, here] : byCell)
-    for (const auto& [columnStep, rowStep] : {std::pair{1, 0}, {0, 1}, {1, 1}, {-1, 1}}) {
-      const std::int64_t next = field::neighbour(grid, cell, columnStep, rowStep);
-      const auto found = next < 0 ? byCell.end() : byCell.find(static_cast<std::uint32_t>(next));
+    for (const std::uint32_t next : field::neighbours(grid, cell)) {
+      if (next < cell) continue;  // seen from there
+      const auto found = byCell.find(next);
       if (found == byCell.end()) continue;
       for (const std::uint32_t a : here)
         for (const std::uint32_t b : found->second)

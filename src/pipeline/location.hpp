@@ -15,8 +15,11 @@ namespace cloudgen::pipeline {
 /// (maximum overlap within a layer); its optical depth keeps the column's grid-mean optical depth.
 std::vector<field::Layer> locateLayers(const field::CloudColumns& columns);
 
-/// The same from layers that a source states outright.
-std::vector<field::Layer> locateLayers(const field::Grid& grid, std::span<const field::TypedLayer> typed);
+/// The same from the layers that a source states outright at `cells` (ascending).
+std::vector<field::Layer> locateLayers(const field::Source& source, std::span<const std::uint32_t> cells);
+
+/// One of them; `ordinal` counts those of a cell upwards.
+field::Layer layerFrom(const field::StatedLayer& stated, std::uint16_t ordinal);
 
 /// Numbers the patches: layers of neighbouring cells that overlap in height by half of the thinner one belong
 /// together. Returns the number of patches.

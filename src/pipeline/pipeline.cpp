@@ -18,10 +18,10 @@ namespace cloudgen::pipeline {
 namespace {
 
 std::vector<field::Layer> layersFrom(const field::Source& source, const Origin& origin, Outcome& outcome) {
-  const auto typed = source.typedLayers(origin.cells);
-  if (!typed.empty()) {
-    outcome.cells = typed.size();
-    return locateLayers(source.grid(), typed);
+  if (source.telling() == field::Telling::Layers) {
+    auto layers = locateLayers(source, origin.cells);
+    outcome.cells = layers.size();
+    return layers;
   }
   const field::CloudColumns columns = field::collectColumns(source, origin.cells);
   outcome.cells = columns.cells.size();
@@ -72,7 +72,7 @@ Outcome run(const field::Source& source, const Options& options, const base::Pro
   outcome.scene = produce(table, origin, options, general, source.info().validTime, progress);
   outcome.scene.provenance = {fileNames(source.info().files), source.info().format, source.info().model,
                               source.info().run ? base::isoText(*source.info().run) : std::string()};
-  outcome.warnings = source.info().warnings;
+  for (const field::Warning& warning : source.info().warnings) outcome.warnings.push_back(warning.text);
   outcome.warnings.insert(outcome.warnings.end(), origin.warnings.begin(), origin.warnings.end());
   if (general.enlargement > 1.01)
     outcome.warnings.push_back(

@@ -161,7 +161,7 @@ scene::Scene produce(const field::CloudTable& table, const Origin& origin, const
     instance.lit = lit->second;
     instance.position = origin.frame.toScene(cloud.longitudeDegrees, cloud.latitudeDegrees, cloud.baseMeters);
     scene.instances.push_back(instance);
-    scene.clouds.push_back({cloudId(layer, cloud), layer.genus, layer.rule, layer.cell,
+    scene.clouds.push_back({cloudId(layer, cloud), layer.genus, std::string(layer.rule), layer.cell,
                             cloud.longitudeDegrees, cloud.latitudeDegrees, cloud.baseMeters,
                             cloud.baseMeters + cloud.depthMeters, cloud.opticalDepth});
   }

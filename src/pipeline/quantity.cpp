@@ -34,11 +34,6 @@ int wholeCount(double expected, std::uint64_t seed, const Layer& layer) {
   return static_cast<int>(std::floor(expected + stream.uniform()));
 }
 
-/// A cell in grid coordinates from (u, v) in 0..1.
-field::GeoPoint inCell(const field::Grid& grid, std::uint32_t cell, double u, double v) {
-  return field::pointAt(grid, grid.column(cell) + u - 0.5, grid.row(cell) + v - 0.5);
-}
-
 struct Candidate {
   field::GeoPoint place;
   double rank = 0;
@@ -55,7 +50,7 @@ std::vector<Candidate> scattered(const field::Grid& grid, const Layer& layer, in
                               layerItem(layer, static_cast<std::uint64_t>(i) + 1));
     Candidate candidate;
     const double u = stream.uniform(), v = stream.uniform();
-    candidate.place = inCell(grid, layer.cell, u, v);
+    candidate.place = field::pointIn(grid, layer.cell, u, v);
     candidate.rank = unevenness(candidate.place, 4 * widthMeters, layer, seed) + 0.25 * stream.gaussian();
     candidate.number = static_cast<std::uint32_t>(i);
     candidates.push_back(candidate);
@@ -67,9 +62,8 @@ std::vector<Candidate> scattered(const field::Grid& grid, const Layer& layer, in
 std::vector<Candidate> lattice(const field::Grid& grid, const Layer& layer, double count, double widthMeters,
                                std::uint64_t seed) {
   const double places = std::max(1.0, count / layer.fraction);
-  const field::GeoPoint center = inCell(grid, layer.cell, 0.5, 0.5);
-  const double aspect = std::max(0.05, std::cos(center.latitudeDegrees * std::numbers::pi / 180.0)) *
-                        std::abs(grid.stepX / grid.stepY);
+  const glm::dvec2 sides = field::cellSidesMeters(grid, layer.cell);
+  const double aspect = std::max(0.05, sides.x / sides.y);
   const int columns = std::max(1, static_cast<int>(std::lround(std::sqrt(places * aspect))));
   const int rows = std::max(1, static_cast<int>(std::lround(places / columns)));
   std::vector<Candidate> candidates;
@@ -80,7 +74,7 @@ std::vector<Candidate> lattice(const field::Grid& grid, const Layer& layer, doub
       Candidate candidate;
       const double u = (column + 0.5 + 0.55 * (stream.uniform() - 0.5)) / columns,
                    v = (row + 0.5 + 0.55 * (stream.uniform() - 0.5)) / rows;
-      candidate.place = inCell(grid, layer.cell, u, v);
+      candidate.place = field::pointIn(grid, layer.cell, u, v);
       candidate.rank = unevenness(candidate.place, widthMeters, layer, seed) + 0.03 * stream.gaussian();
       candidate.number = number;
       candidates.push_back(candidate);

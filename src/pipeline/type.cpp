@@ -107,7 +107,7 @@ void typeLayers(const field::Grid& grid, std::vector<Layer>& layers) {
   }
   for (Layer& layer : layers) {
     if (!layer.rule.empty()) continue;
-    const field::GeoPoint center = field::pointAt(grid, grid.column(layer.cell), grid.row(layer.cell));
+    const field::GeoPoint center = field::centerOf(grid, layer.cell);
     Traits traits;
     traits.etages = etagesAt(center.latitudeDegrees);
     traits.baseAboveGround = layer.baseMeters - layer.surfaceMeters;

@@ -44,7 +44,7 @@ void readAll(const std::string& bytes) {
   (void)removedAtExit;
   std::ofstream(file, std::ios::binary | std::ios::trunc) << bytes;
   try {
-    const auto source = input::openGrib({file});
+    const auto source = input::openGrib({file}, {});
     const field::Grid& grid = source->grid();
     if (grid.size() > 100000) return;
     const auto cells = field::cellsTouching(grid, field::extent(grid));

@@ -23,17 +23,18 @@ class MadeSource : public field::Source {
   }
   const field::SourceInfo& info() const override { return info_; }
   const field::Grid& grid() const override { return grid_; }
+  field::Telling telling() const override { return field::Telling::Layers; }
   void visitLevels(std::span<const std::uint32_t>,
                    const std::function<void(const field::Level&)>&) const override {}
-  std::vector<field::TypedLayer> typedLayers(std::span<const std::uint32_t> cells) const override {
-    std::vector<field::TypedLayer> found;
-    for (const field::TypedLayer& layer : layers)
-      if (std::binary_search(cells.begin(), cells.end(), layer.cell)) found.push_back(layer);
-    return found;
+  void visitLayers(std::span<const std::uint32_t> cells,
+                   const std::function<void(const field::StatedLayer&)>& visit) const override {
+    for (const std::uint32_t cell : cells)
+      for (const field::StatedLayer& layer : layers)
+        if (layer.cell == cell) visit(layer);
   }
 
   /// The same layer over every cell.
-  void cover(field::TypedLayer layer) {
+  void cover(field::StatedLayer layer) {
     for (std::uint32_t cell = 0; cell < grid_.size(); ++cell) {
       layer.cell = cell;
       layers.push_back(layer);
@@ -41,14 +42,14 @@ class MadeSource : public field::Source {
   }
   void setTime(base::UtcTime time) { info_.validTime = time; }
 
-  std::vector<field::TypedLayer> layers;
+  std::vector<field::StatedLayer> layers;
 
  private:
   field::SourceInfo info_;
   field::Grid grid_;
 };
 
-inline field::TypedLayer cumulusLayer(float cover = 0.3f) {
+inline field::StatedLayer cumulusLayer(float cover = 0.3f) {
   return {.genus = base::Genus::Cumulus,
           .coverFraction = cover,
           .baseMeters = 1200,
@@ -56,7 +57,7 @@ inline field::TypedLayer cumulusLayer(float cover = 0.3f) {
           .opticalDepth = 15};
 }
 
-inline field::TypedLayer stratocumulusLayer(float cover = 0.8f) {
+inline field::StatedLayer stratocumulusLayer(float cover = 0.8f) {
   return {.genus = base::Genus::Stratocumulus,
           .coverFraction = cover,
           .baseMeters = 900,

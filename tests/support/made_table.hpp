@@ -12,19 +12,22 @@ namespace cloudgen::test {
 /// The whole table of a made model: steps 2 to 5.
 struct MadeTable {
   MadeTable(const MadeSource& source, const pipeline::Options& options)
-      : MadeTable(source, options, source.layers) {}
-  MadeTable(const MadeSource& source, const pipeline::Options& options,
-            std::span<const field::TypedLayer> layers) {
+      : MadeTable(source, options, layersOf(source)) {}
+  MadeTable(const MadeSource& source, const pipeline::Options& options, std::vector<field::Layer> layers) {
     const base::GeoBox box = options.box.value_or(field::extent(source.grid()));
-    table.layers = pipeline::locateLayers(source.grid(), layers);
+    table.layers = std::move(layers);
     general = pipeline::generalise(source.grid(), table.layers, options, box);
     finish(source, options, box);
   }
   /// With a generalisation that was decided before.
   MadeTable(const MadeSource& source, const pipeline::Options& options, const pipeline::Generalisation& given)
       : general(given) {
-    table.layers = pipeline::locateLayers(source.grid(), source.layers);
+    table.layers = layersOf(source);
     finish(source, options, options.box.value_or(field::extent(source.grid())));
+  }
+
+  static std::vector<field::Layer> layersOf(const MadeSource& source) {
+    return pipeline::locateLayers(source, field::cellsTouching(source.grid(), field::extent(source.grid())));
   }
 
   pipeline::Generalisation general;

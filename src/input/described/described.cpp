@@ -23,7 +23,7 @@ constexpr std::uint64_t kMostBytes = std::uint64_t{64} << 20;
 
 /// A layer over some cells, or over all of them.
 struct DescribedLayer {
-  field::TypedLayer layer;
+  field::StatedLayer layer;
   bool everywhere = true;
   std::vector<std::uint32_t> cells;  ///< ascending
 
@@ -98,7 +98,7 @@ std::vector<std::uint32_t> cellsOf(const JsonPlace& place, const field::Grid& gr
 DescribedLayer layerOf(const JsonPlace& place, const field::Grid& grid) {
   place.onlyKeys({"genus", "cover", "base_m", "top_m", "optical_depth", "wind", "shear", "cells"});
   DescribedLayer described;
-  field::TypedLayer& layer = described.layer;
+  field::StatedLayer& layer = described.layer;
   const JsonPlace genus = place.at("genus");
   const auto known = base::genusFromName(genus.text(32));
   if (!known) genus.fail("is no cloud genus", "give one of Ci, Cc, Cs, Ac, As, Ns, Sc, St, Cu, Cb, Fog");
@@ -130,6 +130,7 @@ Sky skyOf(const JsonPlace& root, const std::string& where) {
   const auto validTime = base::utcFromIso(time.text(40));
   if (!validTime) time.fail("is not a time", "give UTC as 2011-01-15T12:00:00Z");
   sky.info.validTime = *validTime;
+  sky.info.validTimes = {*validTime};
   sky.grid = gridOf(boxOf(root.at("bbox")), root.ifAny("grid"));
   if (const auto surface = root.ifAny("surface_m"))
     sky.surfaceMeters = static_cast<float>(surface->number(-500, 9000));
@@ -145,7 +146,7 @@ Sky skyOf(const JsonPlace& root, const std::string& where) {
                   "take a coarser grid or fewer layers");
     sky.info.fields.push_back(
         fmt::format("layer {}: {}, cover {:g}, {:g} to {:g} m, optical depth {:g}, {} of {} cells", i,
-                    base::abbreviation(layer.layer.genus), layer.layer.coverFraction, layer.layer.baseMeters,
+                    base::abbreviation(*layer.layer.genus), layer.layer.coverFraction, layer.layer.baseMeters,
                     layer.layer.topMeters, layer.layer.opticalDepth,
                     layer.everywhere ? sky.grid.size() : layer.cells.size(), sky.grid.size()));
     if (sky.surfaceMeters && layer.layer.baseMeters < *sky.surfaceMeters)
@@ -166,23 +167,26 @@ class DescribedSource : public field::Source {
 
   const field::SourceInfo& info() const override { return sky_.info; }
   const field::Grid& grid() const override { return sky_.grid; }
+  field::Telling telling() const override { return field::Telling::Layers; }
   void visitLevels(std::span<const std::uint32_t>,
                    const std::function<void(const field::Level&)>&) const override {}
 
   field::Surface surface(std::span<const std::uint32_t> cells) const override {
     if (!sky_.surfaceMeters) return {};
-    return {std::vector<float>(cells.size(), *sky_.surfaceMeters), {}};
+    field::Surface surface;
+    surface.heightMeters.assign(cells.size(), *sky_.surfaceMeters);
+    return surface;
   }
 
-  std::vector<field::TypedLayer> typedLayers(std::span<const std::uint32_t> cells) const override {
-    std::vector<field::TypedLayer> layers;
+  void visitLayers(std::span<const std::uint32_t> cells,
+                   const std::function<void(const field::StatedLayer&)>& visit) const override {
     for (const std::uint32_t cell : cells)
       for (const DescribedLayer& described : sky_.layers)
         if (described.layer.coverFraction > 0 && described.covers(cell)) {
-          layers.push_back(described.layer);
-          layers.back().cell = cell;
+          field::StatedLayer layer = described.layer;
+          layer.cell = cell;
+          visit(layer);
         }
-    return layers;
   }
 
  private:
@@ -211,7 +215,8 @@ std::unique_ptr<field::Source> readDescribedSky(std::string_view text, const std
   return std::make_unique<DescribedSource>(skyOf(JsonPlace(document, where), where));
 }
 
-std::unique_ptr<field::Source> openDescribedSky(const std::vector<std::filesystem::path>& files) {
+std::unique_ptr<field::Source> openDescribedSky(const std::vector<std::filesystem::path>& files,
+                                                const OpenOptions&) {
   if (files.size() != 1)
     throw base::InputError(files.back().string(), "is a second described sky", "give one at a time");
   return readDescribedSky(base::readFile(files.front(), kMostBytes), files.front().string());

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "field/source.hpp"
+#include "input/open_options.hpp"
 
 namespace cloudgen::input {
 
@@ -18,6 +19,7 @@ bool isDescribedSky(std::string_view firstBytes);
 std::unique_ptr<field::Source> readDescribedSky(std::string_view text, const std::string& where);
 
 /// Opens one file of that kind; throws InputError for several.
-std::unique_ptr<field::Source> openDescribedSky(const std::vector<std::filesystem::path>& files);
+std::unique_ptr<field::Source> openDescribedSky(const std::vector<std::filesystem::path>& files,
+                                                const OpenOptions& options);
 
 }  // namespace cloudgen::input

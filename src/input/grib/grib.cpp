@@ -30,16 +30,21 @@ class GribSource : public field::Source {
     info_.validTime = selection_.valid;
     info_.fields = fieldLines(selection_);
     info_.missing = missingLines(selection_);
-    info_.warnings = selection_.warnings;
+    info_.validTimes = {selection_.valid};
+    for (const std::string& text : selection_.warnings) info_.warnings.push_back({"", text});
     for (const auto& [pressure, fields] : selection_.levels)
       if (fields.contains(Quantity::CloudCondensate) || fields.contains(Quantity::CloudLiquid) ||
           fields.contains(Quantity::CloudIce))
-        info_.levelPressuresPa.push_back(pressure);
+        info_.levels.values.push_back(pressure / 100);
+    info_.levels.kind = "pressure";
+    info_.levels.unit = "hPa";
     mistrustPercent();
   }
 
   const field::SourceInfo& info() const override { return info_; }
   const field::Grid& grid() const override { return stored_.grid; }
+
+  field::Telling telling() const override { return field::Telling::Levels; }
 
   void visitLevels(std::span<const std::uint32_t> cells,
                    const std::function<void(const field::Level&)>& visit) const override {
@@ -86,8 +91,9 @@ class GribSource : public field::Source {
     for (auto& [pressure, fields] : selection_.levels)
       if (const auto found = fields.find(Quantity::CloudFraction); found != fields.end())
         found->second.factor = 1;
-    info_.warnings.emplace_back(
-        "cloud fraction is defined in per cent but never passes 1: it is taken as 0..1");
+    info_.warnings.push_back(
+        {"cover_in_percent",
+         "cloud fraction is defined in per cent but never passes 1: it is taken as 0..1"});
   }
 
   Selection selection_;
@@ -99,7 +105,7 @@ class GribSource : public field::Source {
 
 bool isGrib(std::string_view firstBytes) { return startsLikeGrib(firstBytes); }
 
-std::unique_ptr<field::Source> openGrib(const std::vector<std::filesystem::path>& files) {
+std::unique_ptr<field::Source> openGrib(const std::vector<std::filesystem::path>& files, const OpenOptions&) {
   assert(!files.empty());
   std::vector<FieldHeader> headers;
   for (const auto& file : files)

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "field/source.hpp"
+#include "input/open_options.hpp"
 
 namespace cloudgen::input {
 
@@ -16,6 +17,7 @@ bool isGrib(std::string_view firstBytes);
 /// regular latitude-longitude grid. Headers are read now, data later, one level at a time. Of several valid
 /// times or ensemble members the first is taken, and a warning names the others. Throws InputError: empty,
 /// cut short, damaged, no cloud water, another grid or kind of level.
-std::unique_ptr<field::Source> openGrib(const std::vector<std::filesystem::path>& files);
+std::unique_ptr<field::Source> openGrib(const std::vector<std::filesystem::path>& files,
+                                        const OpenOptions& options);
 
 }  // namespace cloudgen::input

@@ -21,6 +21,7 @@ class MadeSource : public Source {
   }
   const SourceInfo& info() const override { return info_; }
   const Grid& grid() const override { return grid_; }
+  Telling telling() const override { return Telling::Levels; }
   void visitLevels(std::span<const std::uint32_t>,
                    const std::function<void(const Level&)>& visit) const override {
     for (const Level& level : levels) visit(level);

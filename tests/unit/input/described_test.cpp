@@ -18,6 +18,13 @@ std::vector<std::uint32_t> allCells(const field::Source& source) {
   return field::cellsTouching(source.grid(), field::extent(source.grid()));
 }
 
+std::vector<field::StatedLayer> layersOf(const field::Source& source,
+                                         const std::vector<std::uint32_t>& cells) {
+  std::vector<field::StatedLayer> layers;
+  source.visitLayers(cells, [&](const field::StatedLayer& layer) { layers.push_back(layer); });
+  return layers;
+}
+
 TEST(DescribedSky, GivesItsLayersInOneCell) {
   const auto source = readDescribedSky(sky(kLayer), "a.sky.json");
   EXPECT_EQ(source->info().format, "described sky");
@@ -25,7 +32,7 @@ TEST(DescribedSky, GivesItsLayersInOneCell) {
   EXPECT_EQ(base::isoText(source->info().validTime), "2011-06-15T18:00:00Z");
   EXPECT_NEAR(field::extent(source->grid()).west, -122.6, 1e-9);
   EXPECT_NEAR(field::extent(source->grid()).north, 37.2, 1e-9);
-  const auto layers = source->typedLayers(allCells(*source));
+  const auto layers = layersOf(*source, allCells(*source));
   ASSERT_EQ(layers.size(), 1u);
   EXPECT_EQ(layers[0].genus, base::Genus::Cumulus);
   EXPECT_FLOAT_EQ(layers[0].opticalDepth, 25);
@@ -44,7 +51,7 @@ TEST(DescribedSky, LayersLieInTheirCellsLowestFirst) {
       readDescribedSky(sky(high + "," + low, R"("surface_m":50,"grid":{"columns":3,"rows":2},)"), "a");
   const auto cells = allCells(*source);
   ASSERT_EQ(cells.size(), 6u);
-  const auto layers = source->typedLayers(cells);
+  const auto layers = layersOf(*source, cells);
   ASSERT_EQ(layers.size(), 8u);
   EXPECT_EQ(layers[0].cell, 0u);
   EXPECT_EQ(layers[0].genus, base::Genus::Stratus);
@@ -52,7 +59,7 @@ TEST(DescribedSky, LayersLieInTheirCellsLowestFirst) {
   EXPECT_EQ(layers[6].cell, 5u);
   EXPECT_EQ(layers[6].genus, base::Genus::Stratus);
   EXPECT_EQ(source->surface(cells).heightMeters, std::vector<float>(6, 50.0f));
-  EXPECT_EQ(source->typedLayers(std::vector<std::uint32_t>{4}).size(), 1u);
+  EXPECT_EQ(layersOf(*source, {4}).size(), 1u);
 }
 
 TEST(DescribedSky, ComplaintsNameThePlace) {

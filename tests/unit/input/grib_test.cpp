@@ -30,15 +30,15 @@ TEST(RealGfs, SaysWhatItIs) {
   EXPECT_EQ(source->info().model, "NCEP GFS");
   EXPECT_EQ(base::isoText(*source->info().run), "2011-01-10T12:00:00Z");
   EXPECT_EQ(base::isoText(source->info().validTime), "2011-01-15T12:00:00Z");
-  EXPECT_EQ(source->info().levelPressuresPa.size(), 21u);
-  EXPECT_EQ(source->info().levelPressuresPa.front(), 100000);
-  EXPECT_EQ(source->info().levelPressuresPa.back(), 10000);
+  EXPECT_EQ(source->info().levels.values.size(), 21u);
+  EXPECT_EQ(source->info().levels.values.front(), 1000);
+  EXPECT_EQ(source->info().levels.values.back(), 100);
   EXPECT_EQ(source->grid().columns, 144);
   EXPECT_EQ(source->grid().rows, 73);
   EXPECT_TRUE(source->grid().wrapsLongitude);
   EXPECT_DOUBLE_EQ(source->grid().firstY, 90);
   EXPECT_DOUBLE_EQ(source->grid().stepY, -2.5);
-  EXPECT_TRUE(source->typedLayers({}).empty());
+  EXPECT_EQ(source->telling(), field::Telling::Levels);
 }
 
 /// Corners and middle against ecCodes' own arrays of latitude and longitude.
@@ -56,8 +56,7 @@ TEST(RealGfs, CellsLieWhereEcCodesPutsThem) {
   codes_handle_delete(handle);
   std::fclose(file);
   for (const std::uint32_t index : {0u, 143u, 144u * 36 + 72, 144u * 72, 144u * 73 - 1}) {
-    const auto point =
-        field::pointAt(source->grid(), source->grid().column(index), source->grid().row(index));
+    const auto point = field::centerOf(source->grid(), index);
     EXPECT_NEAR(point.latitudeDegrees, latitudes[index], 1e-6) << index;
     EXPECT_NEAR(point.longitudeDegrees, base::wrappedLongitude(longitudes[index]), 1e-6) << index;
   }
@@ -201,7 +200,7 @@ TEST(MadeGrib, OfSeveralTimesTheFirstIsTakenAndTheOthersNamed) {
   const auto source = input::open({scratch.write("made.grib", bytes)});
   EXPECT_EQ(base::isoText(source->info().validTime), "2020-06-01T12:00:00Z");
   bool named = false;
-  for (const auto& warning : source->info().warnings)
+  for (const auto& [id, warning] : source->info().warnings)
     named |= warning.find("2020-06-01T18:00:00Z") != std::string::npos;
   EXPECT_TRUE(named);
 }

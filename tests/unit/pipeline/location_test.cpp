@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pipeline/location.hpp"
 
+#include "support/made_source.hpp"
+
 namespace cloudgen::pipeline {
 namespace {
 
@@ -76,9 +78,12 @@ TEST(Location, WhatNobodySeesIsNoLayer) {
 }
 
 TEST(Location, StatedLayersAreTakenAsTheyAre) {
-  const field::TypedLayer low{4, base::Genus::Cumulus, 0.3f, 900, 1500, 12, 5, 6, 1, 2};
-  const field::TypedLayer high{4, base::Genus::Cirrus, 0.6f, 9000, 9800, 0.4f, 30, 0, 0, 0};
-  const auto layers = locateLayers({}, std::vector{low, high});
+  const field::StatedLayer low{4, base::Genus::Cumulus, 0.3f, 900, 1500, 12, 0, 0, 0, 0, 5, 6, 1, 2};
+  const field::StatedLayer high{4, base::Genus::Cirrus, 0.6f, 9000, 9800, 0.4f, 1, 0, 0, 0, 30};
+  test::MadeSource source(10, 45, 1, 3, 3);
+  source.layers = {low, high};
+  const std::vector<std::uint32_t> cells{3, 4, 5};
+  const auto layers = locateLayers(source, cells);
   ASSERT_EQ(layers.size(), 2u);
   EXPECT_EQ(layers[0].genus, base::Genus::Cumulus);
   EXPECT_EQ(layers[0].rule, "stated");

@@ -19,10 +19,10 @@ struct Produced {
 
 test::MadeSource mixedSky() {
   test::MadeSource source(10, 46, 0.5, 2, 2);
-  field::TypedLayer heaps = test::cumulusLayer();
+  field::StatedLayer heaps = test::cumulusLayer();
   heaps.shearEast = 10;
   source.cover(heaps);
-  field::TypedLayer sheet = test::stratocumulusLayer();
+  field::StatedLayer sheet = test::stratocumulusLayer();
   sheet.baseMeters = 4000, sheet.topMeters = 4500, sheet.genus = base::Genus::Altocumulus;
   source.cover(sheet);
   source.cover({.genus = base::Genus::Cirrus,

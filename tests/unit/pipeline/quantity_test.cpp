@@ -10,7 +10,7 @@ namespace {
 
 using Placed = std::map<std::pair<std::uint32_t, std::uint32_t>, std::pair<double, double>>;
 
-test::MadeSource sky(const field::TypedLayer& layer) {
+test::MadeSource sky(const field::StatedLayer& layer) {
   test::MadeSource source(10, 46, 0.5, 6, 4);
   source.cover(layer);
   return source;
@@ -25,7 +25,7 @@ Placed placesOf(const field::CloudTable& table) {
 }
 
 TEST(Quantity, FootprintsAddUpToTheCover) {
-  for (const field::TypedLayer& layer :
+  for (const field::StatedLayer& layer :
        {test::cumulusLayer(), test::stratocumulusLayer(), test::stratocumulusLayer(1)}) {
     const test::MadeSource source = sky(layer);
     const test::MadeTable made(source, test::usualOptions(100'000));
@@ -44,7 +44,7 @@ TEST(Quantity, FootprintsAddUpToTheCover) {
 
 // Cells smaller than what one cloud covers have one only now and then; over many cells the cover is right.
 TEST(Quantity, CellsSmallerThanACloudAddUpToo) {
-  for (const field::TypedLayer& layer :
+  for (const field::StatedLayer& layer :
        {test::cumulusLayer(0.2f), test::stratocumulusLayer(0.3f), test::stratocumulusLayer(1)}) {
     test::MadeSource source(10, 46, 0.01, 60, 60);
     source.cover(layer);
@@ -68,7 +68,7 @@ TEST(Quantity, CloudsStandInTheirCells) {
 }
 
 TEST(Quantity, ASmallerBoxHasTheSameCloudsAtTheSamePlaces) {
-  for (const field::TypedLayer& layer : {test::cumulusLayer(), test::stratocumulusLayer()}) {
+  for (const field::StatedLayer& layer : {test::cumulusLayer(), test::stratocumulusLayer()}) {
     const test::MadeSource source = sky(layer);
     Options options = test::usualOptions(100'000);
     const test::MadeTable whole(source, options);
@@ -95,7 +95,8 @@ TEST(Quantity, TheSeedDecides) {
 
 TEST(Quantity, TheOrderOfTheLayersDoesNotMatter) {
   const test::MadeSource source = sky(test::cumulusLayer());
-  std::vector<field::TypedLayer> backwards(source.layers.rbegin(), source.layers.rend());
+  std::vector<field::Layer> backwards = test::MadeTable::layersOf(source);
+  std::reverse(backwards.begin(), backwards.end());
   const Options options = test::usualOptions(50'000);
   EXPECT_EQ(placesOf(test::MadeTable(source, options, backwards).table),
             placesOf(test::MadeTable(source, options).table));

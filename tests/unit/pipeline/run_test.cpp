@@ -33,7 +33,7 @@ TEST(Run, FromStatedLayersToAScene) {
 
 TEST(Run, AClearSkyIsASceneWithAWarning) {
   test::MadeSource source(10, 46, 0.5, 2, 2);
-  field::TypedLayer clear = test::cumulusLayer(0);
+  field::StatedLayer clear = test::cumulusLayer(0);
   source.cover(clear);
   const Outcome outcome = run(source, test::usualOptions(), {});
   EXPECT_TRUE(outcome.scene.instances.empty());

@@ -9,14 +9,14 @@
 namespace cloudgen::pipeline {
 namespace {
 
-test::MadeTable made(const field::TypedLayer& layer, std::uint64_t maxPuffs = 400'000) {
+test::MadeTable made(const field::StatedLayer& layer, std::uint64_t maxPuffs = 400'000) {
   test::MadeSource source(10, 46, 0.5, 6, 4);
   source.cover(layer);
   return {source, test::usualOptions(maxPuffs)};
 }
 
 TEST(Size, OpticalDepthTimesFootprintIsTheLayersWater) {
-  for (const field::TypedLayer& layer : {test::cumulusLayer(), test::stratocumulusLayer()}) {
+  for (const field::StatedLayer& layer : {test::cumulusLayer(), test::stratocumulusLayer()}) {
     const test::MadeTable sky = made(layer);
     double water = 0, expected = 0;
     for (const field::Cloud& cloud : sky.table.clouds) {
@@ -29,7 +29,7 @@ TEST(Size, OpticalDepthTimesFootprintIsTheLayersWater) {
 }
 
 TEST(Size, CloudsOfALayerShareItsBaseAndStayWithinIt) {
-  for (const field::TypedLayer& layer : {test::cumulusLayer(), test::stratocumulusLayer()})
+  for (const field::StatedLayer& layer : {test::cumulusLayer(), test::stratocumulusLayer()})
     for (const field::Cloud& cloud : made(layer).table.clouds) {
       ASSERT_EQ(cloud.baseMeters, layer.baseMeters);
       ASSERT_LE(cloud.baseMeters + cloud.depthMeters, layer.topMeters + 0.5f);
