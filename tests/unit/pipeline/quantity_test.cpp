@@ -53,7 +53,7 @@ TEST(Quantity, CellsSmallerThanACloudAddUpToo) {
     for (const field::Cloud& cloud : made.table.clouds) covered += cloud.coversSquareMeters;
     for (const field::Layer& each : made.table.layers)
       expected += each.fraction * field::cellAreaSquareMeters(source.grid(), each.cell);
-    EXPECT_NEAR(covered / expected, 1, 0.08) << base::name(layer.genus) << ' ' << layer.coverFraction;
+    EXPECT_NEAR(covered / expected, 1, 0.08) << base::name(*layer.genus) << ' ' << layer.coverFraction;
   }
 }
 
