@@ -66,7 +66,7 @@ TEST(Type, EveryRuleIsReachedAndExplained) {
   std::set<std::string_view> reached{"stated"}, explained;
   for (const Case& sky : kCases) reached.insert(typed(sky).rule);
   for (const TypeRule& rule : typeRules()) {
-    EXPECT_TRUE(explained.insert(std::string(rule.id)).second) << rule.id << " stands twice";
+    EXPECT_TRUE(explained.insert(rule.id).second) << rule.id << " stands twice";
     EXPECT_FALSE(rule.meaning.empty());
   }
   EXPECT_EQ(reached, explained);
