@@ -80,9 +80,18 @@ Projection::Projection(const std::string& definition) {
       std::shared_ptr<void>(created, [keep = context_](void* p) { proj_destroy(static_cast<PJ*>(p)); });
   if (!proj_angular_input(created, PJ_FWD)) refuse(definition, "it does not start from the Earth");
   if (!proj_pj_info(created).has_inverse) refuse(definition, "it has no inverse");
-  planeInRadians_ = proj_angular_output(created, PJ_FWD);
-  inDegrees_ = planeInRadians_ || namesLongitudeLatitude(parameter(definition, "o_proj"));
+  inDegrees_ = namesLongitudeLatitude(parameter(definition, "o_proj"));
+  // PROJ's word about the unit of rotated longitudes cannot be relied on (9.1 gives radians and denies it),
+  // and a definition may scale them by +to_meter: it is measured.
+  planeInRadians_ = inDegrees_ && stepsAreRadians();
   periodX_ = measurePeriod(definition);
+}
+
+/// A step along y turns by as much, or by as many degrees.
+bool Projection::stepsAreRadians() const {
+  constexpr double kStep = 1e-3;
+  const glm::dvec2 from = toGeographic({0, 0}), to = toGeographic({0, kStep});
+  return std::hypot(to.y - from.y, wrappedLongitude(to.x - from.x)) > 0.5 * proj_todeg(kStep);
 }
 
 double Projection::measurePeriod(const std::string& definition) const {

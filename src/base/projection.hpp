@@ -34,6 +34,7 @@ class Projection {
   bool inDegrees() const { return inDegrees_; }
 
  private:
+  bool stepsAreRadians() const;
   double measurePeriod(const std::string& definition) const;
 
   std::shared_ptr<void> context_, operation_;

@@ -123,11 +123,16 @@ struct Named {
 };
 
 inline std::vector<Named> all() {
-  return {{"global", global()},           {"lambert", lambert()},
-          {"rotated", rotated()},         {"polar", polar()},
-          {"mercator", mercator()},       {"gaussian", gaussian()},
-          {"reduced", reduced()},         {"thinned", thinned()},
-          {"hemispheres", hemispheres()}, {"curvilinear lambert", curvilinear(lambert())},
+  return {{"global", global()},
+          {"lambert", lambert()},
+          {"rotated", rotated()},
+          {"polar", polar()},
+          {"mercator", mercator()},
+          {"gaussian", gaussian()},
+          {"reduced", reduced()},
+          {"thinned", thinned()},
+          {"hemispheres", hemispheres()},
+          {"curvilinear lambert", curvilinear(lambert())},
           {"curvilinear polar", curvilinear(polar())}};
 }
 
