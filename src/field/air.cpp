@@ -80,13 +80,12 @@ AirMaker::AirMaker(const Grid& grid, const std::vector<std::uint32_t>& cells, co
 
 AirLevel AirMaker::next(const Level& level, const Level* above) {
   AirLevel air;
-  for (auto* values :
-       {&air.pressurePa, &air.temperatureK, &air.dewPointK, &air.relativeHumidity, &air.specificHumidity,
-        &air.geopotentialMeters, &air.heightMeters})
+  for (auto* values : {&air.pressurePa, &air.temperatureK, &air.dewPointK, &air.relativeHumidity,
+                       &air.specificHumidity, &air.geopotentialMeters, &air.heightMeters})
     values->resize(anchors_.size(), kMissing);
   for (std::size_t c = 0; c < anchors_.size(); ++c) fill(level, above, c, air);
   if (level.has(Quantity::SpecificHumidity) && !level.has(Quantity::RelativeHumidity))
-    derivations_.used.insert(Derivation::HumidityFromSpecificHumidity);
+    derivations_.note(Derivation::HumidityFromSpecificHumidity);
   below_ = air;
   return air;
 }
@@ -117,8 +116,8 @@ void AirMaker::fill(const Level& level, const Level* above, std::size_t c, AirLe
   if (humidity.relative > 0) air.dewPointK[c] = static_cast<float>(dewPoint(kelvin, humidity.relative));
   air.geopotentialMeters[c] = static_cast<float>(geopotential);
   const double given = within(valueOf(level, Quantity::Height, c), -2000, 100000);
-  air.heightMeters[c] = static_cast<float>(
-      std::isfinite(given) ? given : geometricHeight(geopotential, latitudesDegrees_[c]));
+  air.heightMeters[c] =
+      static_cast<float>(std::isfinite(given) ? given : geometricHeight(geopotential, latitudesDegrees_[c]));
 }
 
 double AirMaker::givenGeopotential(const Level& level, std::size_t c) {
@@ -129,12 +128,12 @@ double AirMaker::givenGeopotential(const Level& level, std::size_t c) {
   if (std::isfinite(geopotential)) return geopotential;
   const double aboveGround = within(valueOf(level, Quantity::HeightAboveGround, c), -500, 100000);
   if (!std::isfinite(aboveGround)) return kMissing;
-  derivations_.used.insert(Derivation::HeightFromHeightAboveGround);
+  derivations_.note(Derivation::HeightFromHeightAboveGround);
   float& ground = groundMeters_[c];
   if (!std::isfinite(ground)) {
     const double standard = standardHeight(valueOf(surface_.pressurePa, c));
     const bool known = std::isfinite(standard);
-    derivations_.used.insert(known ? Derivation::GroundFromSurfacePressure : Derivation::GroundAtSeaLevel);
+    derivations_.note(known ? Derivation::GroundFromSurfacePressure : Derivation::GroundAtSeaLevel);
     ground = known ? static_cast<float>(standard) : 0.0f;
     starts_[c].geopotentialMeters = geopotentialHeight(ground, latitude);
   }
@@ -146,13 +145,12 @@ double AirMaker::temperature(const Level& level, const Level* above, std::size_t
   if (level.has(Quantity::Temperature)) return within(valueOf(level, Quantity::Temperature, c), 100, 400);
   const double virtualKelvin = thicknessTemperature(above, c, pressurePa, geopotentialMeters);
   if (virtualKelvin >= 150 && virtualKelvin <= 350) {
-    derivations_.used.insert(Derivation::TemperatureFromThickness);
-    return temperatureFromVirtual(virtualKelvin,
-                                  humidityOf(level, c, pressurePa, virtualKelvin).specific);
+    derivations_.note(Derivation::TemperatureFromThickness);
+    return temperatureFromVirtual(virtualKelvin, humidityOf(level, c, pressurePa, virtualKelvin).specific);
   }
   const double standard = standardTemperature(std::isfinite(geopotentialMeters) ? geopotentialMeters
                                                                                 : standardHeight(pressurePa));
-  if (std::isfinite(standard)) derivations_.used.insert(Derivation::TemperatureFromStandardAtmosphere);
+  if (std::isfinite(standard)) derivations_.note(Derivation::TemperatureFromStandardAtmosphere);
   return standard;
 }
 
@@ -182,7 +180,7 @@ double AirMaker::geopotentialAt(std::size_t c, double pressurePa, double virtual
   const Anchor& anchor = anchors_[c];
   const Start& start = starts_[c];
   if (!std::isfinite(pressurePa + virtualTemperatureK)) return kMissing;
-  derivations_.used.insert(start.height);
+  derivations_.note(start.height);
   if (std::isfinite(anchor.pressurePa))
     return anchor.geopotentialMeters +
            thickness(anchor.pressurePa, pressurePa, 0.5 * (anchor.virtualTemperatureK + virtualTemperatureK));
@@ -196,8 +194,7 @@ double AirMaker::pressureAt(std::size_t c, double geopotentialMeters, double vir
   const Start& start = starts_[c];
   if (!std::isfinite(geopotentialMeters + virtualTemperatureK)) return kMissing;
   const bool known = std::isfinite(start.pressurePa);
-  derivations_.used.insert(known ? Derivation::PressureFromHeight
-                                 : Derivation::PressureFromStandardAtmosphere);
+  derivations_.note(known ? Derivation::PressureFromHeight : Derivation::PressureFromStandardAtmosphere);
   if (std::isfinite(anchor.pressurePa))
     return pressureAfter(anchor.pressurePa, geopotentialMeters - anchor.geopotentialMeters,
                          0.5 * (anchor.virtualTemperatureK + virtualTemperatureK));
@@ -213,9 +210,8 @@ void AirMaker::settleGround(std::size_t c, double pressurePa, double virtualTemp
   if (!std::isfinite(groundPressurePa_[c])) groundPressurePa_[c] = static_cast<float>(pressurePa);
   if (std::isfinite(groundMeters_[c]) || !(pressurePa <= valueOf(surface_.pressurePa, c))) return;
   const double rise = thicknessFromGround(surface_.pressurePa[c], pressurePa, virtualTemperatureK);
-  groundMeters_[c] =
-      static_cast<float>(geometricHeight(geopotentialMeters - rise, latitudesDegrees_[c]));
-  derivations_.used.insert(Derivation::GroundFromSurfacePressure);
+  groundMeters_[c] = static_cast<float>(geometricHeight(geopotentialMeters - rise, latitudesDegrees_[c]));
+  derivations_.note(Derivation::GroundFromSurfacePressure);
 }
 
 }  // namespace cloudgen::field

@@ -17,7 +17,8 @@ struct AirLevel {
 };
 
 /// Makes the air of one level after the other, from the ground upwards, of whatever the levels tell:
-/// - height: Height, else GeopotentialHeight, else HeightAboveGround on the orography, else by the hypsometric
+/// - height: Height, else GeopotentialHeight, else HeightAboveGround on the orography, else by the
+/// hypsometric
 ///   equation from the level below, the lowest one from surface pressure and orography, else from the
 ///   sea-level pressure, else from the surface pressure or its own at its height in the ICAO standard
 ///   atmosphere;

@@ -19,9 +19,10 @@ std::pair<std::string, std::string> lineOf(Derivation derivation) {
       return {"height",
               "hypsometric equation upwards from the sea-level pressure (Wallace & Hobbs 2006, eq. 3.29)"};
     case Derivation::HeightFromStandardAtmosphere:
-      return {"height",
-              "hypsometric equation upwards from the lowest known pressure at its height in the ICAO standard "
-              "atmosphere"};
+      return {
+          "height",
+          "hypsometric equation upwards from the lowest known pressure at its height in the ICAO standard "
+          "atmosphere"};
     case Derivation::PressureFromHeight:
       return {"pressure", "hypsometric equation from heights and temperatures"};
     case Derivation::PressureFromStandardAtmosphere:
@@ -60,8 +61,9 @@ std::pair<std::string, std::string> lineOf(Derivation derivation) {
 
 std::vector<std::pair<std::string, std::string>> Derivations::lines() const {
   std::vector<std::pair<std::string, std::string>> lines;
-  for (const Derivation derivation : used) lines.push_back(lineOf(derivation));
-  for (const Quantity quantity : interpolated)
+  for (std::size_t i = 0; i < kCount; ++i)
+    if (noted_.test(i)) lines.push_back(lineOf(static_cast<Derivation>(i)));
+  for (const Quantity quantity : interpolated_)
     lines.emplace_back(quantityName(quantity),
                        "interpolated in the logarithm of pressure on levels that lack it");
   return lines;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <bitset>
 #include <set>
 #include <string>
 #include <utility>
@@ -34,12 +35,18 @@ enum class Derivation {
 };
 
 /// Collects what was derived.
-struct Derivations {
-  std::set<Derivation> used;
-  std::set<Quantity> interpolated;  ///< missing on a level, there below and above
+class Derivations {
+ public:
+  void note(Derivation derivation) { noted_.set(static_cast<std::size_t>(derivation)); }
+  void noteInterpolated(Quantity quantity) { interpolated_.insert(quantity); }
 
   /// (what, how), one line each.
   std::vector<std::pair<std::string, std::string>> lines() const;
+
+ private:
+  static constexpr std::size_t kCount = static_cast<std::size_t>(Derivation::DepthOfLoneLevel) + 1;
+  std::bitset<kCount> noted_;
+  std::set<Quantity> interpolated_;
 };
 
 }  // namespace cloudgen::field

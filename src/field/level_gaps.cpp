@@ -10,9 +10,9 @@
 namespace cloudgen::field {
 namespace {
 
-constexpr std::array kAlways{Quantity::CloudCondensate,  Quantity::CloudLiquid,   Quantity::CloudIce,
-                             Quantity::CloudFraction,    Quantity::Temperature,   Quantity::RelativeHumidity,
-                             Quantity::SpecificHumidity, Quantity::WindEast,      Quantity::WindNorth};
+constexpr std::array kAlways{Quantity::CloudCondensate,  Quantity::CloudLiquid, Quantity::CloudIce,
+                             Quantity::CloudFraction,    Quantity::Temperature, Quantity::RelativeHumidity,
+                             Quantity::SpecificHumidity, Quantity::WindEast,    Quantity::WindNorth};
 constexpr std::array kHeights{Quantity::Height, Quantity::GeopotentialHeight, Quantity::HeightAboveGround};
 
 double valueOr(const Level& level, Quantity quantity, std::size_t cell, double otherwise) {
@@ -44,8 +44,8 @@ double shareOfWay(const std::array<const Level*, 3>& levels, std::size_t cell, d
 /// The level with this quantity and what tells its height only.
 Level onlyWith(const Level& level, Quantity quantity) {
   Level kept{level.pressurePa, {}};
-  for (const Quantity needed :
-       {quantity, Quantity::Pressure, Quantity::Height, Quantity::GeopotentialHeight, Quantity::HeightAboveGround})
+  for (const Quantity needed : {quantity, Quantity::Pressure, Quantity::Height, Quantity::GeopotentialHeight,
+                                Quantity::HeightAboveGround})
     if (const auto found = level.values.find(needed); found != level.values.end()) kept.values.insert(*found);
   return kept;
 }
@@ -53,7 +53,8 @@ Level onlyWith(const Level& level, Quantity quantity) {
 }  // namespace
 
 bool LevelPlan::has(Quantity quantity) const {
-  return std::any_of(levels.begin(), levels.end(), [&](const auto& level) { return level.contains(quantity); });
+  return std::any_of(levels.begin(), levels.end(),
+                     [&](const auto& level) { return level.contains(quantity); });
 }
 
 std::size_t LevelPlan::nextWith(Quantity quantity, std::size_t level) const {
@@ -129,7 +130,7 @@ void GapFiller::fill(Level& level, Quantity quantity) const {
     const double share = shareOfWay({&lower, &level, &upper}, cell, byCount);
     values[cell] = static_cast<float>((1 - share) * from[cell] + share * to[cell]);
   }
-  derivations_.interpolated.insert(quantity);
+  derivations_.noteInterpolated(quantity);
   level.values.emplace(quantity, std::move(values));
 }
 
