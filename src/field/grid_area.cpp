@@ -68,7 +68,7 @@ double cellAreaSquareMeters(const Grid& grid, std::uint32_t cell) {
     if (base::isLongitudeLatitude(grid.crs) || projectionOf(grid, row)->inDegrees())
       return kSquare * std::abs(stepOfRow(grid, row)) * zoneArea(rowInterval(grid, row));
   }
-  if (!counts(grid, cell)) return 0;
+  if (!grid.southCrs.empty() && !counts(grid, cell)) return 0;
   // Sides under 100 km are as good as straight; longer ones bend, and their pieces do not.
   constexpr double kStraight = 2.5e-4, kLarge = 1e-2;
   const double coarse = polygonArea(grid, cell, 1);

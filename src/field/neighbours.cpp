@@ -95,6 +95,15 @@ void appendMirrored(const Grid& grid, std::uint32_t cell, std::vector<std::uint3
     }
 }
 
+/// False where no cell around can lie beyond the equator of its hemisphere, nor the cell itself.
+bool nearTheEquator(const Grid& grid, std::uint32_t cell) {
+  if (grid.southCrs.empty()) return false;
+  const double pole = grid.row(cell) < latticeRows(grid) ? 1 : -1;
+  // Cells are as long as their step at 60 degrees, and shorter towards the equator.
+  const double around = 3 * std::max(std::abs(grid.stepX), std::abs(grid.stepY)) / kEarthRadiusMeters;
+  return !(pole * centerOf(grid, cell).latitudeDegrees * kDegree > around);
+}
+
 }  // namespace
 
 std::vector<std::uint32_t> neighbours(const Grid& grid, std::uint32_t cell) {
@@ -103,7 +112,7 @@ std::vector<std::uint32_t> neighbours(const Grid& grid, std::uint32_t cell) {
     appendReduced(grid, cell, found);
   else
     appendLattice(grid, cell, found);
-  if (!grid.southCrs.empty()) {
+  if (nearTheEquator(grid, cell)) {
     if (!counts(grid, cell)) return {};
     std::erase_if(found, [&](std::uint32_t next) { return !counts(grid, next); });
     appendMirrored(grid, cell, found);
