@@ -33,8 +33,8 @@ struct FieldHead {
   int discipline = 0;  ///< edition 2
   /// Fields of one message share those that are not repeated.
   std::shared_ptr<const std::string> identification;  ///< section 1; of edition 1 the product too
-  std::shared_ptr<const std::string> grid;     ///< section 3 (edition 1: 2; empty where it has none)
-  std::shared_ptr<const std::string> product;  ///< section 4 of edition 2
+  std::shared_ptr<const std::string> grid;            ///< section 3 (edition 1: 2; empty where it has none)
+  std::shared_ptr<const std::string> product;         ///< section 4 of edition 2
 };
 
 /// True if these are the first bytes of a GRIB file.

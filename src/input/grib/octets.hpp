@@ -9,8 +9,8 @@
 
 namespace cloudgen::input::grib {
 
-/// Numbers of a GRIB section by octet, counted from 1 as in the Manual on Codes, big-endian. Throws InputError
-/// that names `where` for octets past the end.
+/// Numbers of a GRIB section by octet, counted from 1 as in the Manual on Codes, big-endian. Throws
+/// InputError that names `where` for octets past the end.
 class Octets {
  public:
   Octets(std::string_view bytes, std::string where) : bytes_(bytes), where_(std::move(where)) {}

@@ -18,16 +18,16 @@ int small(const Octets& octets, std::size_t octet, std::size_t length = 1) {
 base::UtcTime momentOf(const Octets& octets, int year, std::size_t month) {
   const int numbers[] = {small(octets, month), small(octets, month + 1), small(octets, month + 2),
                          small(octets, month + 3)};
-  const auto text = fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}Z", year, numbers[0], numbers[1], numbers[2],
-                                numbers[3]);
+  const auto text =
+      fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}Z", year, numbers[0], numbers[1], numbers[2], numbers[3]);
   const auto moment = base::utcFromIso(text);
   if (!moment)
     throw base::InputError(octets.where(), "has an impossible date (" + text + ")", "fetch the file again");
   return *moment;
 }
 
-/// A moment later by a count of units of code table 4.4 (edition 1: table 4, alike but for 13, a quarter of an
-/// hour); nothing for units of months and more.
+/// A moment later by a count of units of code table 4.4 (edition 1: table 4, alike but for 13, a quarter of
+/// an hour); nothing for units of months and more.
 std::optional<base::UtcTime> later(base::UtcTime run, std::int64_t count, int unit, int edition) {
   std::int64_t seconds = 0;
   switch (unit) {
@@ -70,8 +70,9 @@ struct Layout {
   std::size_t member, end;  ///< perturbation number; end of the time interval
   std::size_t derived;      ///< derived forecast: only means are plain
 };
-constexpr Layout kLayouts[] = {{0, 0, 0, 0},    {1, 36, 0, 0},   {2, 0, 0, 35},  {8, 0, 35, 0}, {11, 36, 38, 0},
-                               {12, 0, 37, 35}, {15, 0, 0, 0},   {60, 36, 0, 0}, {61, 36, 45, 0}};
+constexpr Layout kLayouts[] = {{0, 0, 0, 0},  {1, 36, 0, 0},   {2, 0, 0, 35},
+                               {8, 0, 35, 0}, {11, 36, 38, 0}, {12, 0, 37, 35},
+                               {15, 0, 0, 0}, {60, 36, 0, 0},  {61, 36, 45, 0}};
 
 const Layout* layoutOf(int number) {
   for (const Layout& layout : kLayouts)
@@ -167,7 +168,8 @@ Product readProduct1(const FieldHead& head) {
   if (product.centre == kEcmwf && octets.has(50) && (small(octets, 41) == 1 || small(octets, 41) == 30))
     product.member = small(octets, 50);
   if (grid.size() >= 5) {
-    const auto count = static_cast<std::size_t>(small(grid, 4)), place = static_cast<std::size_t>(small(grid, 5));
+    const auto count = static_cast<std::size_t>(small(grid, 4)),
+               place = static_cast<std::size_t>(small(grid, 5));
     if (count > 0 && place != 255 && grid.has(place, 4 * count))
       for (std::size_t i = 0; i < count; ++i) product.coordinates.push_back(grid.ibm(place + 4 * i));
   }
