@@ -47,7 +47,7 @@ inline const std::array kLibraries{
     Library{"Imath/", {"src/image/"}},
     Library{"tbb/", {"src/base/"}},
     Library{"oneapi/", {"src/base/"}},
-    Library{"proj", {"src/base/", "src/field/", "src/input/"}},
+    Library{"proj", {"src/base/"}},
     Library{"Random123/", {"src/base/"}},
     Library{"libnova/", {"src/light/"}},
     Library{"valijson/", {"src/pipeline/"}},

@@ -271,13 +271,29 @@ class Reading {
         averaged.insert(found.field.name);
       contents_.fields.push_back(std::move(found.field));
     }
-    if (!averaged.empty())
+    if (!averaged.empty() && !tellsCloudsByLevels())
       contents_.warnings.push_back(
           {"averaged_cover",
            fmt::format(
                "cloud cover ({}) is an average over the hours before its valid time, not of a moment: "
                "it is smoother than any sky was",
                fmt::join(averaged, ", "))});
+  }
+
+  /// Whether cover is of no account, since water or humidity on many levels tells more.
+  bool tellsCloudsByLevels() const {
+    constexpr std::size_t kMany = 8;
+    std::set<double> humid;
+    for (const Field& field : contents_.fields) {
+      const auto* quantity = std::get_if<Quantity>(&field.meaning);
+      if (!quantity) continue;
+      if (*quantity == Quantity::CloudCondensate || *quantity == Quantity::CloudLiquid ||
+          *quantity == Quantity::CloudIce)
+        return true;
+      if (*quantity == Quantity::RelativeHumidity || *quantity == Quantity::SpecificHumidity)
+        humid.insert(field.vertical.value);
+    }
+    return humid.size() >= kMany;
   }
 
   /// The first few names of what a file holds that is of no use.

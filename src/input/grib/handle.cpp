@@ -9,6 +9,7 @@
 #include <limits>
 #include <memory>
 #include <mutex>
+#include <type_traits>
 
 #include "base/error.hpp"
 #include "input/grib/packing_check.hpp"
@@ -97,18 +98,19 @@ class Handle {
   Handle(const Handle&) = delete;
   Handle& operator=(const Handle&) = delete;
 
-  codes_handle* get() const { return handle_; }
-  [[noreturn]] void fail(const std::string& what) const {
-    throw base::InputError(where_, what, "fetch the file again");
-  }
   /// Runs a step of ecCodes; a failed assertion in it becomes an error that names this message.
   template <class Step>
-  auto guarded(const Step& step) const {
+  std::invoke_result_t<Step> guarded(const Step& step) const {
     try {
       return step();
     } catch (const base::InputError& error) {
       fail(error.problem());
     }
+  }
+
+  codes_handle* get() const { return handle_; }
+  [[noreturn]] void fail(const std::string& what) const {
+    throw base::InputError(where_, what, "fetch the file again");
   }
 
  private:

@@ -13,6 +13,9 @@ struct Named {
   std::string_view name;
 };
 
+/// Runs the models of NCEP that it develops.
+constexpr int kNoaaResearch = 59;
+
 constexpr Named kNcepProcesses[] = {
     {11, "GEFS"}, {81, "GFS"},  {82, "GFS"}, {83, "HRRR"},  {84, "NAM"},    {86, "RUC"},
     {89, "RUC"},  {90, "GFS"},  {96, "GFS"}, {105, "RAP"},  {107, "GEFS"},  {112, "NAM"},
@@ -26,7 +29,6 @@ constexpr Named kCentres[] = {
     {54, "Environment Canada"},
     {57, "US Air Force"},
     {58, "US Navy"},
-    {59, "NOAA GSL RAP"},
     {60, "NCAR"},
     {74, "Met Office UM"},
     {78, "DWD ICON"},
@@ -55,9 +57,11 @@ std::string_view named(const Named (&names)[count], int number) {
 }  // namespace
 
 std::string modelName(const Product& product) {
-  if (product.centre == kNcep) {
-    const std::string_view name = named(kNcepProcesses, product.process);
-    return name.empty() ? fmt::format("NCEP, process {}", product.process) : fmt::format("NCEP {}", name);
+  if (product.centre == kNcep || product.centre == kNoaaResearch) {
+    const std::string_view name = named(kNcepProcesses, product.process),
+                           centre = product.centre == kNcep ? "NCEP" : "NOAA";
+    return name.empty() ? fmt::format("{}, process {}", centre, product.process)
+                        : fmt::format("{} {}", centre, name);
   }
   const std::string_view centre = named(kCentres, product.centre);
   if (!centre.empty()) return std::string(centre);

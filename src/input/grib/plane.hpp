@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <glm/vec2.hpp>
 #include <string>
 
 #include "field/grid.hpp"
 
 namespace cloudgen::input::grib {
 
-struct PlanePoint {
-  double x = 0, y = 0;  ///< metres
-};
-
-/// A place in a projection of PROJ. Throws InputError that names `where` if PROJ refuses either.
-PlanePoint toPlane(const std::string& crs, const field::GeoPoint& place, const std::string& where);
+/// A place in a projection of PROJ, in metres. Throws InputError that names `where` if PROJ refuses either.
+glm::dvec2 toPlane(const std::string& crs, const field::GeoPoint& place, const std::string& where);
 
 /// Longitude and latitude (degrees) on a sphere turned so that `center` lies at (0, 0) and north of it stays
 /// north.

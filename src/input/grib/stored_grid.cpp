@@ -258,9 +258,9 @@ StoredGrid projected(const GridSection& section) {
     bad(section, "has a grid with an impossible spacing");
   field::Grid& grid = stored.grid;
   grid.crs = planeCrs(section);
-  const PlanePoint first =
+  const glm::dvec2 first =
       section.kind == GridKind::TransverseMercator
-          ? PlanePoint{section.firstX, section.firstY}
+          ? glm::dvec2{section.firstX, section.firstY}
           : toPlane(grid.crs, {section.firstLongitude, section.firstLatitude}, section.where);
   grid.stepX = *section.stepX;
   grid.stepY = northwards(section) ? *section.stepY : -*section.stepY;
