@@ -9,6 +9,8 @@
 #include "base/error.hpp"
 #include "input/described/described.hpp"
 #include "input/grib/grib.hpp"
+#include "input/metar/metar.hpp"
+#include "input/weather_code/weather_code.hpp"
 
 namespace cloudgen::input {
 namespace {
@@ -21,9 +23,11 @@ struct Reader {
 };
 
 /// One line a format; the first that recognises a file reads it.
-constexpr std::array<Reader, 2> kReaders{{
+constexpr std::array<Reader, 4> kReaders{{
     {"described sky", isDescribedSky, openDescribedSky},
+    {"weather codes", isWeatherCode, openWeatherCode},
     {"GRIB", isGrib, openGrib},
+    {"METAR", isMetar, openMetar},
 }};
 
 std::string firstBytesOf(const std::filesystem::path& file) {
@@ -52,7 +56,8 @@ const Reader& readerOf(const std::filesystem::path& file) {
   throw base::InputError(
       file.string(),
       netcdf ? "is a NetCDF file, which is not read yet" : "is of no format that cloudgen reads",
-      "give GRIB1 or GRIB2 model output, or a described sky (*.sky.json)");
+      "give GRIB1 or GRIB2 model output, a described sky (*.sky.json), METAR reports, or weather codes "
+      "(JSON)");
 }
 
 }  // namespace
