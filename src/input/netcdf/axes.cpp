@@ -22,33 +22,37 @@ bool isOneOf(std::string_view text, const std::array<std::string_view, N>& words
   return std::find(words.begin(), words.end(), text) != words.end();
 }
 
-constexpr std::array<std::string_view, 7> kNorth{"degrees_north", "degree_north", "degrees_n", "degree_n",
+constexpr std::array<std::string_view, 7> kNorth{"degrees_north", "degree_north", "degrees_n",   "degree_n",
                                                  "degreesn",      "degreen",      "degree north"};
-constexpr std::array<std::string_view, 7> kEast{"degrees_east", "degree_east", "degrees_e", "degree_e",
+constexpr std::array<std::string_view, 7> kEast{"degrees_east", "degree_east", "degrees_e",  "degree_e",
                                                 "degreese",     "degreee",     "degree east"};
 constexpr std::array<std::string_view, 5> kLatitudeNames{"latitude", "lat", "nav_lat", "xlat", "xlat_m"};
-constexpr std::array<std::string_view, 6> kLongitudeNames{"longitude", "lon",   "nav_lon",
+constexpr std::array<std::string_view, 6> kLongitudeNames{"longitude", "lon",     "nav_lon",
                                                           "xlong",     "xlong_m", "long"};
 constexpr std::array<std::string_view, 5> kXNames{"x", "rlon", "west_east", "xc", "nx"};
 constexpr std::array<std::string_view, 5> kYNames{"y", "rlat", "south_north", "yc", "ny"};
 constexpr std::array<std::string_view, 26> kVerticalNames{
-    "level",      "lev",          "levels",     "plev",         "pressure_level",   "isobaricinhpa",
-    "isobaric",   "isobaricinpa", "hybrid",     "hybrid_level", "model_level",      "model_level_number",
+    "level",      "lev",          "levels",     "plev",         "pressure_level",    "isobaricinhpa",
+    "isobaric",   "isobaricinpa", "hybrid",     "hybrid_level", "model_level",       "model_level_number",
     "height",     "pressure",     "altitude",   "alt",          "heightaboveground", "heightabovesea",
-    "sigma",      "eta",          "bottom_top", "nlev",         "generalvertical",  "generalverticallayer",
+    "sigma",      "eta",          "bottom_top", "nlev",         "generalvertical",   "generalverticallayer",
     "eta_levels", "vertical"};
 constexpr std::array<std::string_view, 6> kTimeNames{"time", "valid_time", "t", "times", "nt", "validtime"};
 constexpr std::array<std::string_view, 6> kReferenceNames{
     "forecast_reference_time", "reftime", "analysis_time", "initial_time", "base_time", "reference_time"};
-constexpr std::array<std::string_view, 6> kPeriodNames{"step",     "forecast_period", "leadtime",
-                                                       "lead_time", "forecast_time",   "prediction_timedelta"};
+constexpr std::array<std::string_view, 6> kPeriodNames{
+    "step", "forecast_period", "leadtime", "lead_time", "forecast_time", "prediction_timedelta"};
 constexpr std::array<std::string_view, 5> kMemberNames{"number", "member", "ensemble", "realization",
                                                        "ensemble_member"};
 constexpr std::array<std::string_view, 5> kPointNames{"loc", "point", "ncol", "ncells", "cell"};
-constexpr std::array<std::string_view, 8> kVerticalStandardNames{
-    "air_pressure", "altitude",           "height",
-    "model_level_number", "geopotential_height", "height_above_mean_sea_level",
-    "height_above_reference_ellipsoid", "height_above_geopotential_datum"};
+constexpr std::array<std::string_view, 8> kVerticalStandardNames{"air_pressure",
+                                                                 "altitude",
+                                                                 "height",
+                                                                 "model_level_number",
+                                                                 "geopotential_height",
+                                                                 "height_above_mean_sea_level",
+                                                                 "height_above_reference_ellipsoid",
+                                                                 "height_above_geopotential_datum"};
 
 bool isUnderground(const std::string& name) {
   return name.find("soil") != std::string::npos || name.find("depth") != std::string::npos;
@@ -57,15 +61,22 @@ bool isUnderground(const std::string& name) {
 Role roleOf(Kind kind) {
   switch (kind) {
     case Kind::Latitude:
-    case Kind::ProjectionY: return Role::Y;
+    case Kind::ProjectionY:
+      return Role::Y;
     case Kind::Longitude:
-    case Kind::ProjectionX: return Role::X;
-    case Kind::Vertical: return Role::Vertical;
+    case Kind::ProjectionX:
+      return Role::X;
+    case Kind::Vertical:
+      return Role::Vertical;
     case Kind::Time:
-    case Kind::Reference: return Role::Time;
-    case Kind::Period: return Role::Step;
-    case Kind::Member: return Role::Member;
-    case Kind::None: break;
+    case Kind::Reference:
+      return Role::Time;
+    case Kind::Period:
+      return Role::Step;
+    case Kind::Member:
+      return Role::Member;
+    case Kind::None:
+      break;
   }
   return Role::Other;
 }
@@ -195,7 +206,8 @@ const Variable* Axes::along(std::size_t dimension, std::initializer_list<Kind> k
 const Variable* Axes::scalar(Kind kind) const {
   for (const Variable& variable : file_.variables()) {
     const auto isOne = [&](std::size_t dimension) { return file_.dimensions()[dimension].length == 1; };
-    if (std::all_of(variable.dimensions.begin(), variable.dimensions.end(), isOne) && kindOf(variable) == kind)
+    if (std::all_of(variable.dimensions.begin(), variable.dimensions.end(), isOne) &&
+        kindOf(variable) == kind)
       return &variable;
   }
   return nullptr;

@@ -30,18 +30,26 @@ std::mutex& libraryMutex() {
 
 Storage storageOf(nc_type type) {
   switch (type) {
-    case NC_CHAR: return Storage::Text;
-    case NC_BYTE: return Storage::Byte;
-    case NC_UBYTE: return Storage::UnsignedByte;
-    case NC_SHORT: return Storage::Short;
-    case NC_INT: return Storage::Int;
+    case NC_CHAR:
+      return Storage::Text;
+    case NC_BYTE:
+      return Storage::Byte;
+    case NC_UBYTE:
+      return Storage::UnsignedByte;
+    case NC_SHORT:
+      return Storage::Short;
+    case NC_INT:
+      return Storage::Int;
     case NC_USHORT:
     case NC_UINT:
     case NC_INT64:
-    case NC_UINT64: return Storage::WideInteger;
+    case NC_UINT64:
+      return Storage::WideInteger;
     case NC_FLOAT:
-    case NC_DOUBLE: return Storage::Floating;
-    default: return Storage::Other;
+    case NC_DOUBLE:
+      return Storage::Floating;
+    default:
+      return Storage::Other;
   }
 }
 
@@ -65,21 +73,30 @@ std::optional<double> numberIn(const Attributes& attributes, const std::string& 
 
 std::string kindName(int format) {
   switch (format) {
-    case NC_FORMAT_CLASSIC: return "classic";
-    case NC_FORMAT_64BIT_OFFSET: return "64-bit offset";
-    case NC_FORMAT_64BIT_DATA: return "64-bit data";
-    default: return "netCDF-4";
+    case NC_FORMAT_CLASSIC:
+      return "classic";
+    case NC_FORMAT_64BIT_OFFSET:
+      return "64-bit offset";
+    case NC_FORMAT_64BIT_DATA:
+      return "64-bit data";
+    default:
+      return "netCDF-4";
   }
 }
 
 /// The value that netCDF-C writes where nobody wrote; bytes have none.
 std::optional<double> defaultFill(Storage storage) {
   switch (storage) {
-    case Storage::Short: return NC_FILL_SHORT;
-    case Storage::Int: return NC_FILL_INT;
-    case Storage::WideInteger: return static_cast<double>(NC_FILL_INT64);
-    case Storage::Floating: return NC_FILL_DOUBLE;
-    default: return std::nullopt;
+    case Storage::Short:
+      return NC_FILL_SHORT;
+    case Storage::Int:
+      return NC_FILL_INT;
+    case Storage::WideInteger:
+      return static_cast<double>(NC_FILL_INT64);
+    case Storage::Floating:
+      return NC_FILL_DOUBLE;
+    default:
+      return std::nullopt;
   }
 }
 
@@ -223,7 +240,8 @@ void File::readVariable(int group, int id) {
   Variable variable{group, id, name.data(), storageOf(type), {}, {}};
   for (int i = 0; i < rank; ++i) {
     const auto found = dimensionOfId_.find(dimensions[static_cast<std::size_t>(i)]);
-    if (found == dimensionOfId_.end()) check(NC_EBADDIM, fmt::format("has a damaged variable {}", variable.name));
+    if (found == dimensionOfId_.end())
+      check(NC_EBADDIM, fmt::format("has a damaged variable {}", variable.name));
     variable.dimensions.push_back(found->second);
   }
   variable.attributes = readAttributes(group, id, attributes);

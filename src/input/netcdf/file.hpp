@@ -42,9 +42,9 @@ struct Variable {
   std::optional<double> number(const std::string& attribute) const;
 };
 
-/// The header of an open netCDF file, and its values by hyperslab. Whatever netCDF-C or HDF5 find wrong becomes
-/// an InputError. Variables of groups stand beside those of the root. Calls may come from any thread; one at a
-/// time is let through, since neither library allows more.
+/// The header of an open netCDF file, and its values by hyperslab. Whatever netCDF-C or HDF5 find wrong
+/// becomes an InputError. Variables of groups stand beside those of the root. Calls may come from any thread;
+/// one at a time is let through, since neither library allows more.
 class File {
  public:
   explicit File(const std::filesystem::path& path);

@@ -91,7 +91,8 @@ class Lattice {
       for (const Variable& variable : file_.variables()) {
         const std::size_t rank = variable.dimensions.size();
         if (rank < 2 || rank > 3 || kindOf(variable) != kind) continue;
-        if (!contains(variable.dimensions, xDimension_) || !contains(variable.dimensions, yDimension_)) continue;
+        if (!contains(variable.dimensions, xDimension_) || !contains(variable.dimensions, yDimension_))
+          continue;
         if (rank == 3 && file_.dimensions()[variable.dimensions[0]].length == 0) continue;
         if (rank == 3 && (variable.dimensions[0] == xDimension_ || variable.dimensions[0] == yDimension_))
           continue;  // corners of cells
@@ -118,9 +119,9 @@ class Lattice {
                           ? mapping->number("perspective_point_height").value_or(35785831)
                           : 0;
     } else {
-      warnings_.push_back({"projection_unknown",
-                           fmt::format("the grid mapping \"{}\" of {} is not read",
-                                       mapping->text("grid_mapping_name"), mapping->name)});
+      warnings_.push_back(
+          {"projection_unknown", fmt::format("the grid mapping \"{}\" of {} is not read",
+                                             mapping->text("grid_mapping_name"), mapping->name)});
     }
   }
 
@@ -138,8 +139,8 @@ class Lattice {
     }
     const auto toMeters = conversion(unit, "m");
     if (!toMeters)
-      warnings_.push_back({"unit_unknown", fmt::format("{} has the unit \"{}\": taken as metres",
-                                                       variable.name, unit)});
+      warnings_.push_back(
+          {"unit_unknown", fmt::format("{} has the unit \"{}\": taken as metres", variable.name, unit)});
     for (double& value : values) value *= toMeters ? toMeters->factor : 1;
     return values;
   }
@@ -163,10 +164,10 @@ class Lattice {
     }
     if (!(std::abs(shift) > 0.25 * std::abs(step)) || !(std::abs(shift) < 0.75 * std::abs(step)))
       return values;
-    warnings_.push_back({"half_cell_shift",
-                         fmt::format("{} gives corners of cells, as {} shows: cells are moved by {:g} to "
-                                     "their centres",
-                                     variable.name, bounds->name, shift)});
+    warnings_.push_back(
+        {"half_cell_shift", fmt::format("{} gives corners of cells, as {} shows: cells are moved by {:g} to "
+                                        "their centres",
+                                        variable.name, bounds->name, shift)});
     return middles;
   }
 
@@ -179,7 +180,8 @@ class Lattice {
     std::vector<Sample> chosen;
     if (columns == 0 || rows == 0) return chosen;
     for (const std::size_t row : {std::size_t{0}, rows / 2, rows - 1})
-      for (const std::size_t column : {std::size_t{0}, columns / 2, columns - 1}) chosen.push_back({column, row});
+      for (const std::size_t column : {std::size_t{0}, columns / 2, columns - 1})
+        chosen.push_back({column, row});
     return chosen;
   }
 
@@ -200,8 +202,8 @@ class Lattice {
       const double longitude = sampled(*longitude_, sample), latitude = sampled(*latitude_, sample);
       // Views from space have no place in their corners.
       if (std::isfinite(longitude) && std::isfinite(latitude))
-        places.push_back({static_cast<double>(sample.column), static_cast<double>(sample.row),
-                          {longitude, latitude}});
+        places.push_back(
+            {static_cast<double>(sample.column), static_cast<double>(sample.row), {longitude, latitude}});
     }
     const bool degrees = grid.crs.starts_with("+proj=ob_tran");
     const double cell = std::abs(grid.stepX) * (degrees ? 111000 : 1);
@@ -268,8 +270,9 @@ Horizontal pointsOf(const File& file, const Axes& axes, const Placed& placed) {
   result.points = true;
   result.columns = file.dimensions()[dimension].length;
   const auto refuse = [&](const std::string& what) {
-    const base::InputError error(file.where(*placed.variable), what,
-                                 "put it on a latitude-longitude grid first, for example with \"cdo remapbil\"");
+    const base::InputError error(
+        file.where(*placed.variable), what,
+        "put it on a latitude-longitude grid first, for example with \"cdo remapbil\"");
     result.key = error.where() + what;
     result.make = [error]() -> field::Grid { throw error; };
     return result;
@@ -294,7 +297,8 @@ Horizontal pointsOf(const File& file, const Axes& axes, const Placed& placed) {
   std::vector<double> columns, rows;
   const std::vector<double>&quick = result.columnsFirst ? y : x, &steady = result.columnsFirst ? x : y;
   for (std::size_t i = 0; i < count; ++i)
-    if (!(std::abs(quick[i] - quick[i % fast]) < 1e-6) || !(std::abs(steady[i] - steady[i / fast * fast]) < 1e-6))
+    if (!(std::abs(quick[i] - quick[i % fast]) < 1e-6) ||
+        !(std::abs(steady[i] - steady[i / fast * fast]) < 1e-6))
       return refuse(fmt::format("lies on a mesh of {} cells without rows and columns", count));
   for (std::size_t i = 0; i < fast; ++i) (result.columnsFirst ? rows : columns).push_back(quick[i]);
   for (std::size_t i = 0; i < slow; ++i) (result.columnsFirst ? columns : rows).push_back(steady[i * fast]);
@@ -357,14 +361,15 @@ Horizontal columnOf(const File& file, const Axes& axes, const OpenOptions& optio
   const Variable* resolution = file.find("horizontal_resolution");
   const auto toMeters = resolution ? conversion(resolution->text("units"), "m") : std::nullopt;
   const std::vector<double> sizes =
-      resolution && resolution->isNumeric() && file.size(*resolution) <= kLongestAxis ? file.values(*resolution)
-                                                                                      : std::vector<double>{};
+      resolution && resolution->isNumeric() && file.size(*resolution) <= kLongestAxis
+          ? file.values(*resolution)
+          : std::vector<double>{};
   const double stated = sizes.empty() ? 0 : sizes.front() * (toMeters ? toMeters->factor : 1000);
   if (stated > 1 && stated < 1e6)
     side = stated;
   else
-    warnings.push_back({"cell_size_assumed",
-                        "a single column that does not say its horizontal resolution: 10 km is taken"});
+    warnings.push_back(
+        {"cell_size_assumed", "a single column that does not say its horizontal resolution: 10 km is taken"});
   field::Grid grid;
   grid.crs = fmt::format("+proj=laea +lat_0={} +lon_0={} +R={}", base::shortest(*latitude),
                          base::shortest(*longitude), base::shortest(field::kEarthRadiusMeters));

@@ -85,7 +85,8 @@ field::Grid latticeOf(const std::string& where, const std::string& crs, std::vec
   double stepX = meanStep(x);
   if (geographic && x.size() > 2 && std::abs(std::abs(x.back() - x.front()) - 360) < 0.01 * std::abs(stepX))
     x.pop_back();
-  if (geographic && std::abs(x.back() - x.front()) >= 360) fail(where, "goes more than once around the Earth");
+  if (geographic && std::abs(x.back() - x.front()) >= 360)
+    fail(where, "goes more than once around the Earth");
   stepX = meanStep(x);
   if (unevenness(x) > 0.02 * std::abs(stepX) + rounding(x)) {
     if (geographic) return gridOfUnevenColumns(where, x, y);
@@ -103,8 +104,8 @@ field::Grid latticeOf(const std::string& where, const std::string& crs, std::vec
   if (x.size() == 1) grid.stepX = grid.stepY != 0 ? std::abs(grid.stepY) : alone;
   if (y.size() == 1) grid.stepY = std::abs(grid.stepX);
   const double period = geographic || crs.starts_with("+proj=ob_tran") ? 360 : 0;
-  grid.wrapsLongitude =
-      period > 0 && x.size() > 2 && std::abs(std::abs(grid.stepX) * grid.columns - period) < 0.02 * std::abs(grid.stepX);
+  grid.wrapsLongitude = period > 0 && x.size() > 2 &&
+                        std::abs(std::abs(grid.stepX) * grid.columns - period) < 0.02 * std::abs(grid.stepX);
   if (grid.wrapsLongitude) grid.stepX = std::copysign(period / grid.columns, grid.stepX);
   if (unevenness(y) > 0.002 * std::abs(grid.stepY) + rounding(y)) grid.rowY = y;
   return grid;
@@ -131,15 +132,13 @@ field::Grid gridOfCenters(const std::string& where, std::size_t columns, std::si
     // A dropped column would part the cells from the values.
     if (grid.columns == static_cast<int>(columns)) return grid;
   }
-  if (columns < 2 || rows < 2)
-    fail(where, "has a single line of cells that follows no meridian or parallel");
+  if (columns < 2 || rows < 2) fail(where, "has a single line of cells that follows no meridian or parallel");
   field::Grid grid;
   grid.columns = static_cast<int>(columns);
   grid.rows = static_cast<int>(rows);
   grid.centers.reserve(columns * rows);
   for (std::size_t i = 0; i < columns * rows; ++i)
-    grid.centers.push_back(
-        {base::wrappedLongitude(longitudes[i]), std::clamp(latitudes[i], -90.0, 90.0)});
+    grid.centers.push_back({base::wrappedLongitude(longitudes[i]), std::clamp(latitudes[i], -90.0, 90.0)});
   return grid;
 }
 

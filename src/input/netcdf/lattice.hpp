@@ -9,10 +9,10 @@
 
 namespace cloudgen::input::netcdf {
 
-/// A grid of columns at x and rows at y, in the units of `crs`. Longitudes may jump by 360; a last column that
-/// repeats the first is dropped. Uneven rows are kept as they are; uneven columns of latitude-longitude grids
-/// make a grid of centres. Throws InputError naming `where` if the coordinates do not run one way, or are
-/// too many.
+/// A grid of columns at x and rows at y, in the units of `crs`. Longitudes may jump by 360; a last column
+/// that repeats the first is dropped. Uneven rows are kept as they are; uneven columns of latitude-longitude
+/// grids make a grid of centres. Throws InputError naming `where` if the coordinates do not run one way, or
+/// are too many.
 field::Grid latticeOf(const std::string& where, const std::string& crs, std::vector<double> x,
                       const std::vector<double>& y);
 

@@ -2,13 +2,13 @@
 #include "input/netcdf/map_projection.hpp"
 
 #include <fmt/format.h>
-#include <proj.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
+#include <numbers>
 
+#include "base/projection.hpp"
 #include "base/text.hpp"
 
 namespace cloudgen::input::netcdf {
@@ -92,70 +92,25 @@ std::optional<std::string> projection(const Variable& mapping) {
 
 namespace {
 
-class Map {
- public:
-  explicit Map(const std::string& crs) : plain_(crs.starts_with("+proj=longlat")) {
-    if (plain_) return;
-    context_.reset(proj_context_create());
-    proj_log_level(context_.get(), PJ_LOG_NONE);
-    operation_.reset(proj_create(context_.get(), crs.c_str()));
-  }
-
-  std::optional<MapPoint> forward(const field::GeoPoint& place) const {
-    if (plain_) return MapPoint{place.longitudeDegrees, place.latitudeDegrees};
-    if (!operation_) return std::nullopt;
-    const PJ_COORD there =
-        proj_trans(operation_.get(), PJ_FWD,
-                   proj_coord(proj_torad(place.longitudeDegrees), proj_torad(place.latitudeDegrees), 0, 0));
-    if (!std::isfinite(there.xy.x) || !std::isfinite(there.xy.y)) return std::nullopt;
-    if (proj_angular_output(operation_.get(), PJ_FWD))
-      return MapPoint{proj_todeg(there.xy.x), proj_todeg(there.xy.y)};
-    return MapPoint{there.xy.x, there.xy.y};
-  }
-
-  std::optional<field::GeoPoint> inverse(MapPoint point) const {
-    if (plain_) return field::GeoPoint{point.x, point.y};
-    if (!operation_) return std::nullopt;
-    if (proj_angular_output(operation_.get(), PJ_FWD))
-      point = {proj_torad(point.x), proj_torad(point.y)};
-    const PJ_COORD there = proj_trans(operation_.get(), PJ_INV, proj_coord(point.x, point.y, 0, 0));
-    if (!std::isfinite(there.lp.lam) || !std::isfinite(there.lp.phi)) return std::nullopt;
-    return field::GeoPoint{proj_todeg(there.lp.lam), proj_todeg(there.lp.phi)};
-  }
-
- private:
-  struct Release {
-    void operator()(PJ_CONTEXT* context) const { proj_context_destroy(context); }
-    void operator()(PJ* operation) const { proj_destroy(operation); }
-  };
-  bool plain_;
-  std::unique_ptr<PJ_CONTEXT, Release> context_;
-  std::unique_ptr<PJ, Release> operation_;
-};
-
 /// Along a great circle, by the haversine.
 double distanceMeters(const field::GeoPoint& a, const field::GeoPoint& b) {
-  const double latitude = proj_torad(a.latitudeDegrees), other = proj_torad(b.latitudeDegrees);
+  constexpr double kDegree = std::numbers::pi / 180;
+  const double latitude = a.latitudeDegrees * kDegree, other = b.latitudeDegrees * kDegree;
   const double s = std::sin(0.5 * (other - latitude));
-  const double t = std::sin(0.5 * proj_torad(b.longitudeDegrees - a.longitudeDegrees));
+  const double t = std::sin(0.5 * kDegree * (b.longitudeDegrees - a.longitudeDegrees));
   const double h = s * s + std::cos(latitude) * std::cos(other) * t * t;
   return 2 * field::kEarthRadiusMeters * std::asin(std::min(1.0, std::sqrt(h)));
 }
 
 }  // namespace
 
-std::optional<MapPoint> onMap(const std::string& crs, const field::GeoPoint& place) {
-  return Map(crs).forward(place);
-}
-
 double greatestDistanceMeters(const field::Grid& lattice, const std::vector<KnownPlace>& places) {
-  const Map map(lattice.crs);
+  const auto map = base::Projection::of(lattice.crs);
   double greatest = 0;
   for (const KnownPlace& known : places) {
-    const auto found = map.inverse(
+    const glm::dvec2 found = map->toGeographic(
         {lattice.firstX + known.column * lattice.stepX, lattice.firstY + known.row * lattice.stepY});
-    const double distance =
-        found ? distanceMeters(*found, known.place) : std::numeric_limits<double>::infinity();
+    const double distance = distanceMeters({found.x, found.y}, known.place);
     // A comparison that is false for NaN would hide it.
     if (!(distance <= greatest)) greatest = distance;
   }

@@ -14,12 +14,6 @@ namespace cloudgen::input::netcdf {
 /// rotated poles; radians times the height for geostationary views). Nothing if it is none that is read.
 std::optional<std::string> projection(const Variable& mapping);
 
-/// A place on the map of a PROJ definition, in its units; nothing where it has no image.
-struct MapPoint {
-  double x = 0, y = 0;
-};
-std::optional<MapPoint> onMap(const std::string& crs, const field::GeoPoint& place);
-
 /// The greatest distance in metres between where a lattice puts its cells and where they are said to be.
 /// Infinite where the lattice has no place for them.
 struct KnownPlace {

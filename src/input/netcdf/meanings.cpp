@@ -119,13 +119,17 @@ struct Unused {
   const char* names;
 };
 constexpr std::array kUnused{
-    Unused{"rain", "crwc qr qrain mass_fraction_of_rain_in_air mass_fraction_of_rain_water_in_air "
-                   "specific_rain_water_content rain_mixing_ratio"},
-    Unused{"snow", "cswc qs qsnow mass_fraction_of_snow_in_air specific_snow_water_content snow_mixing_ratio"},
+    Unused{"rain",
+           "crwc qr qrain mass_fraction_of_rain_in_air mass_fraction_of_rain_water_in_air "
+           "specific_rain_water_content rain_mixing_ratio"},
+    Unused{"snow",
+           "cswc qs qsnow mass_fraction_of_snow_in_air specific_snow_water_content snow_mixing_ratio"},
     Unused{"graupel", "qg qgraup mass_fraction_of_graupel_in_air graupel_mixing_ratio grle"},
     Unused{"upward wind in m/s", "upward_air_velocity upward_wind wwind"},
-    Unused{"convective cloud in the grid box", "cca mr_ccliq mr_ccice conv_cloud_fraction "
-           "mass_fraction_of_convective_cloud_liquid_water_in_air mass_fraction_of_convective_cloud_ice_in_air"},
+    Unused{
+        "convective cloud in the grid box",
+        "cca mr_ccliq mr_ccice conv_cloud_fraction "
+        "mass_fraction_of_convective_cloud_liquid_water_in_air mass_fraction_of_convective_cloud_ice_in_air"},
     Unused{"part of the cloud fraction", "ls_cloud_fraction large_scale_cloud_area_fraction"},
 };
 
@@ -152,14 +156,14 @@ std::string standardNameOf(const Variable& variable) { return lowerCase(variable
 std::string plainName(const Variable& variable) {
   std::string name = lowerCase(variable.name);
   for (const std::string_view ending : {"_ml", "_pl"})
-    if (name.ends_with(ending)) name.resize(name.size() - ending.size());
+    if (name.ends_with(ending)) name.erase(name.rfind(ending));
   return name;
 }
 
 const Row* rowOf(const Variable& variable, std::span<const Row> rows) {
   const auto find = [&](const std::string& word, const char* const Row::*names) {
-    const auto found = std::find_if(rows.begin(), rows.end(),
-                                    [&](const Row& row) { return holdsWord(row.*names, word); });
+    const auto found =
+        std::find_if(rows.begin(), rows.end(), [&](const Row& row) { return holdsWord(row.*names, word); });
     return found == rows.end() ? nullptr : &*found;
   };
   if (const Row* row = find(standardNameOf(variable), &Row::standardNames)) return row;
@@ -224,10 +228,11 @@ bool convert(const Row& row, const Variable& variable, Meaning& meaning) {
       return true;
     }
   // A unit that measures something else: "w" in m/s is no pressure velocity.
-  for (const char* other : {"m", "s", "K", "Pa", "kg m-3", "m s-1", "m2 s-2", "kg m-2", "1", "W m-2", "Pa s-1", "s-1"})
+  for (const char* other :
+       {"m", "s", "K", "Pa", "kg m-3", "m s-1", "m2 s-2", "kg m-2", "1", "W m-2", "Pa s-1", "s-1"})
     if (conversion(unit, other)) return false;
-  warn("unit_unknown",
-       fmt::format("{} has the unit \"{}\", which UDUNITS does not know: taken as {}", variable.name, unit, row.unit));
+  warn("unit_unknown", fmt::format("{} has the unit \"{}\", which UDUNITS does not know: taken as {}",
+                                   variable.name, unit, row.unit));
   return true;
 }
 

@@ -14,9 +14,9 @@ namespace cloudgen::input::netcdf {
 /// What is done to the values of a variable after their unit is SI.
 enum class Treatment {
   None,
-  DividedByGravity,   ///< geopotential, m2 s-2, becomes height in gpm
-  PerDryAir,          ///< water per kg of dry air; becomes per kg of moist air where the vapour is known
-  VapourPerDryAir,    ///< a mixing ratio of vapour r becomes r / (1 + r)
+  DividedByGravity,     ///< geopotential, m2 s-2, becomes height in gpm
+  PerDryAir,            ///< water per kg of dry air; becomes per kg of moist air where the vapour is known
+  VapourPerDryAir,      ///< a mixing ratio of vapour r becomes r / (1 + r)
   PotentialTemperature  ///< becomes temperature by the pressure
 };
 
@@ -26,7 +26,7 @@ struct Meaning {
   Treatment treatment = Treatment::None;
   bool alongGridAxes = false;
   bool inPercent = false;
-  Conversion toSi;  ///< from the unit of the file; fractions in per cent stay so
+  Conversion toSi;                 ///< from the unit of the file; fractions in per cent stay so
   std::string warningId, warning;  ///< about the unit; empty: none
 };
 

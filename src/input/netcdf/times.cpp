@@ -56,7 +56,8 @@ Calendar calendarOf(const File& file, const Variable& variable) {
   if (is("360_day")) return Calendar::Days360;
   if (is("noleap") || is("365_day")) return Calendar::Days365;
   if (is("all_leap") || is("366_day")) return Calendar::Days366;
-  throw base::InputError(file.where(variable), fmt::format("has the calendar \"{}\", which is not read", name),
+  throw base::InputError(file.where(variable),
+                         fmt::format("has the calendar \"{}\", which is not read", name),
                          "give times of the standard calendar");
 }
 
@@ -97,8 +98,8 @@ std::vector<std::optional<base::UtcTime>> moments(const File& file, const Variab
                         fmt::format("the times of {} count by the calendar {}: its dates are taken as ours",
                                     variable.name, variable.text("calendar"))});
   if (unit && unit->seconds > 27 * kDay)
-    warnings.push_back({"uneven_time_unit",
-                        fmt::format("times in \"{}\" count months or years of mean length", text)});
+    warnings.push_back(
+        {"uneven_time_unit", fmt::format("times in \"{}\" count months or years of mean length", text)});
   std::vector<std::optional<base::UtcTime>> times;
   for (const double value : file.values(variable)) {
     if (dates)

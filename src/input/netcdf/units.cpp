@@ -81,17 +81,21 @@ ut_system* unitSystem() {
 std::string respelled(std::string_view text) {
   for (const auto& [written, meant] : kSpellings)
     if (base::equalIgnoringCase(text, written)) return std::string(meant);
-  std::string unit(text.substr(0, kLongestUnit));
-  for (std::size_t place; (place = unit.find("**")) != std::string::npos;) unit.replace(place, 2, "^");
+  std::string unit;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool power = text.substr(i).starts_with("**");
+    unit += power ? '^' : text[i];
+    i += power;
+  }
   return unit;
 }
 
 Unit parsed(const std::string& text) {
   // UDUNITS takes blanks at the ends amiss.
   std::string trimmed = text;
-  return Unit(unitSystem() ? ut_parse(unitSystem(), ut_trim(trimmed.data(), UT_UTF8) ? trimmed.c_str() : "",
-                                      UT_UTF8)
-                           : nullptr);
+  return Unit(unitSystem()
+                  ? ut_parse(unitSystem(), ut_trim(trimmed.data(), UT_UTF8) ? trimmed.c_str() : "", UT_UTF8)
+                  : nullptr);
 }
 
 std::optional<Conversion> between(const std::string& from, const std::string& to) {
@@ -133,7 +137,8 @@ std::optional<TimeUnit> timeUnit(const std::string& text) {
   unit.seconds = length->factor;
   // A converter of two such units maps 0 to the origin.
   unit.originSeconds = origin->offset;
-  if (std::sscanf(text.c_str() + since + 7, "%d-%d-%d", &unit.year, &unit.month, &unit.day) != 3) return std::nullopt;
+  if (std::sscanf(text.c_str() + since + 7, "%d-%d-%d", &unit.year, &unit.month, &unit.day) != 3)
+    return std::nullopt;
   if (unit.month < 1 || unit.month > 12 || unit.day < 1 || unit.day > 31 || std::abs(unit.year) > 10000)
     return std::nullopt;
   return unit;

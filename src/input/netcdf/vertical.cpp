@@ -73,7 +73,8 @@ class Reading {
       if (lowerCase(coordinate.text("positive")) == "down") return std::nullopt;
       const bool ground = standard == "height" || name.find("ground") != std::string::npos ||
                           (standard.empty() && (name == "height" || name == "height_2m"));
-      return inOrder(ground ? VerticalKind::HeightAboveGround : VerticalKind::HeightAboveSea, values, *toMeters);
+      return inOrder(ground ? VerticalKind::HeightAboveGround : VerticalKind::HeightAboveSea, values,
+                     *toMeters);
     }
     const bool numbers = isCounted(values) || name.find("model") != std::string::npos ||
                          name.find("hybrid") != std::string::npos || standard == "model_level_number";
@@ -82,13 +83,13 @@ class Reading {
     const bool pressureByName = standard == "air_pressure" || name == "isobaricinhpa" || name == "plev" ||
                                 name == "pressure_level" || name == "pressure" || name == "isobaric";
     const double greatest = *std::max_element(values.begin(), values.end());
-    const bool likely = greatest > 150 && greatest <= 1100 &&
-                        *std::min_element(values.begin(), values.end()) >= 0.001;
+    const bool likely =
+        greatest > 150 && greatest <= 1100 && *std::min_element(values.begin(), values.end()) >= 0.001;
     if (!pressureByName && (numbers || !likely)) return std::nullopt;
     const double factor = greatest > 2000 ? 1 : 100;
-    warnings_.push_back({"level_unit_assumed",
-                         fmt::format("{} has no unit of pressure or height: taken as {}", coordinate.name,
-                                     factor == 1 ? "Pa" : "hPa")});
+    warnings_.push_back(
+        {"level_unit_assumed", fmt::format("{} has no unit of pressure or height: taken as {}",
+                                           coordinate.name, factor == 1 ? "Pa" : "hPa")});
     return inOrder(VerticalKind::Pressure, values, {factor, 0});
   }
 
@@ -134,7 +135,8 @@ class Reading {
           inPascals && p0.empty() && conversion(inPascals->text("units"), "Pa"))
         a = term(terms, "a", "Pa");
       else
-        for (const double value : term(terms, "a", "1")) a.push_back(value * (p0.empty() ? kStandardPa : p0.front()));
+        for (const double value : term(terms, "a", "1"))
+          a.push_back(value * (p0.empty() ? kStandardPa : p0.front()));
     }
     return hybrid(values, a, b, nameOf(terms, "ps"));
   }
@@ -180,7 +182,8 @@ class Reading {
     for (const double value : values) whole = whole && std::abs(value - std::round(value)) < 1e-6;
     for (std::size_t i = 1; i < values.size(); ++i) whole = whole && values[i] != values[i - 1];
     for (std::size_t i = 0; i < count_; ++i)
-      levels.levels.push_back({VerticalKind::ModelLevel, whole ? values[i] : static_cast<double>(i + 1), 0, 0});
+      levels.levels.push_back(
+          {VerticalKind::ModelLevel, whole ? values[i] : static_cast<double>(i + 1), 0, 0});
     // Coefficients by the names that cdo gives them, though no formula names them.
     const Variable *a = file_.find("hyam"), *b = file_.find("hybm");
     if (!a || !b) return levels;
