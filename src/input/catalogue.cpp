@@ -10,6 +10,7 @@
 #include "input/described/described.hpp"
 #include "input/grib/grib.hpp"
 #include "input/metar/metar.hpp"
+#include "input/netcdf/netcdf.hpp"
 #include "input/weather_code/weather_code.hpp"
 
 namespace cloudgen::input {
@@ -23,9 +24,10 @@ struct Reader {
 };
 
 /// One line a format; the first that recognises a file reads it.
-constexpr std::array<Reader, 4> kReaders{{
+constexpr std::array<Reader, 5> kReaders{{
     {"described sky", isDescribedSky, openDescribedSky},
     {"weather codes", isWeatherCode, openWeatherCode},
+    {"NetCDF", isNetcdf, openNetcdf},  // before GRIB, whose name stands in files made by cfgrib
     {"GRIB", isGrib, openGrib},
     {"METAR", isMetar, openMetar},
 }};
@@ -52,12 +54,17 @@ const Reader& readerOf(const std::filesystem::path& file) {
   const std::string bytes = firstBytesOf(file);
   for (const Reader& reader : kReaders)
     if (reader.recognises(bytes)) return reader;
+<<<<<<< HEAD
   const bool netcdf = bytes.starts_with("CDF") || bytes.starts_with("\x89HDF");
   throw base::InputError(
       file.string(),
       netcdf ? "is a NetCDF file, which is not read yet" : "is of no format that cloudgen reads",
       "give GRIB1 or GRIB2 model output, a described sky (*.sky.json), METAR reports, or weather codes "
       "(JSON)");
+=======
+  throw base::InputError(file.string(), "is of no format that cloudgen reads",
+                         "give GRIB or NetCDF model output, or a described sky (*.sky.json)");
+>>>>>>> netcdf
 }
 
 }  // namespace
