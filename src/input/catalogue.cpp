@@ -54,17 +54,10 @@ const Reader& readerOf(const std::filesystem::path& file) {
   const std::string bytes = firstBytesOf(file);
   for (const Reader& reader : kReaders)
     if (reader.recognises(bytes)) return reader;
-<<<<<<< HEAD
-  const bool netcdf = bytes.starts_with("CDF") || bytes.starts_with("\x89HDF");
   throw base::InputError(
-      file.string(),
-      netcdf ? "is a NetCDF file, which is not read yet" : "is of no format that cloudgen reads",
-      "give GRIB1 or GRIB2 model output, a described sky (*.sky.json), METAR reports, or weather codes "
-      "(JSON)");
-=======
-  throw base::InputError(file.string(), "is of no format that cloudgen reads",
-                         "give GRIB or NetCDF model output, or a described sky (*.sky.json)");
->>>>>>> netcdf
+      file.string(), "is of no format that cloudgen reads",
+      "give GRIB or NetCDF model output, WWMCA cloud analyses, METAR reports, weather codes "
+      "(JSON) or a described sky (*.sky.json)");
 }
 
 }  // namespace
