@@ -50,7 +50,7 @@ double coveredSquareMeters(const shape::Recipe& recipe, double widthMeters) {
 
 double countedWidthMeters(const shape::Recipe& recipe, double coversSquareMeters) {
   const double one = coveredSquareMeters(recipe, 1.0);
-  return std::clamp<double>(std::sqrt(coversSquareMeters / one), 0.25 * recipe.widthMeters.low,
+  return std::clamp<double>(std::sqrt(coversSquareMeters / one), 0.75 * recipe.widthMeters.low,
                             2.0 * recipe.widthMeters.high);
 }
 

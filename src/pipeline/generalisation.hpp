@@ -28,8 +28,8 @@ double naturalWidthMeters(const shape::Recipe& recipe, double depthMeters);
 /// the spacing at which elements overlap to an even cover.
 double coveredSquareMeters(const shape::Recipe& recipe, double widthMeters);
 
-/// Mean width of clouds of which each covers so much: the inverse of coveredSquareMeters, within a quarter of
-/// the recipe's least and twice its greatest width. For layers whose source counts their clouds.
+/// Mean width of clouds of which each covers so much: the inverse of coveredSquareMeters, within three
+/// quarters of the recipe's least and twice its greatest width. For layers whose source counts their clouds.
 double countedWidthMeters(const shape::Recipe& recipe, double coversSquareMeters);
 
 /// Mean width of a layer's clouds, enlarged.

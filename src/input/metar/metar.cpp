@@ -25,8 +25,7 @@ namespace {
 constexpr std::uint64_t kMostBytes = std::uint64_t{256} << 20;
 constexpr std::int64_t kOldestSeconds = 3 * 3600;
 constexpr double kReachCells = 1.5;
-// Where one of them covers more than all of a cell's cover, the cell has one of them all the same.
-constexpr double kStormSquareMeters = 150e6, kCongestusSquareMeters = 9e6;
+constexpr double kStormSquareMeters = 150e6, kCongestusSquareMeters = 9e6, kSmallCellSquareMeters = 2000e6;
 
 struct Observation {
   MetarReport report;
@@ -153,13 +152,27 @@ Air airOf(const Observation& observation) {
   return air;
 }
 
-/// One tower where the cover stands for less than one: it was seen.
-void countTowers(field::StatedLayer& layer, double cellSquareMeters) {
-  const bool storm = layer.genus == base::Genus::Cumulonimbus,
-             congestus = layer.genus == base::Genus::Cumulus && layer.topMeters - layer.baseMeters > 2500;
-  if (!storm && !congestus) return;
-  if (layer.coverFraction * cellSquareMeters < (storm ? kStormSquareMeters : kCongestusSquareMeters))
-    layer.cloudCount = 1;
+/// Clouds that stand in a cell for what was seen over it, where the cover would stand for less than one, or
+/// for so few that chance might leave them out: one storm or congestus; a quarter of a sheet an element.
+void countFew(field::StatedLayer& layer, double cellSquareMeters) {
+  const double covers = layer.coverFraction * cellSquareMeters;
+  switch (*layer.genus) {
+    case base::Genus::Cumulonimbus:
+      if (covers < kStormSquareMeters) layer.cloudCount = 1;
+      break;
+    case base::Genus::Cumulus:
+      if (layer.topMeters - layer.baseMeters > 2500 && covers < kCongestusSquareMeters) layer.cloudCount = 1;
+      break;
+    case base::Genus::Cirrus:
+    case base::Genus::Cirrostratus:
+    case base::Genus::Altostratus:
+    case base::Genus::Nimbostratus:
+      if (cellSquareMeters < kSmallCellSquareMeters)
+        layer.cloudCount = static_cast<int>(std::ceil(4 * layer.coverFraction));
+      break;
+    default:
+      break;
+  }
 }
 
 /// Fills what the table does not know by the nearest station that it does.
@@ -240,7 +253,7 @@ std::unique_ptr<field::Source> skyOfMetars(const std::vector<MetarText>& texts, 
     for (field::StatedLayer layer : layersOf(seen.report, air, day)) {
       layer.cell = cell;
       layer.ageMinutes = age;
-      countTowers(layer, field::cellAreaSquareMeters(grid, cell));
+      countFew(layer, field::cellAreaSquareMeters(grid, cell));
       layers.push_back(layer);
     }
   }

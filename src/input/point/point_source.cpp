@@ -53,16 +53,13 @@ field::Grid latticeOver(std::span<const GeoPoint> points, double cellMeters) {
   for (double cell = cellMeters;; cell *= 1.25) {
     grid.stepY = std::min(cell / kMetersPerDegree, 5.0);
     grid.stepX = std::min(cell / kMetersPerDegree / shrink, 90.0);
-    const double columns = std::round(width / grid.stepX) + 1,
-                 rows = std::round((north - south) / grid.stepY) + 1;
-    grid.columns = static_cast<int>(std::min(columns, std::max(1.0, std::floor(360.0 / grid.stepX))));
-    grid.rows = static_cast<int>(rows);
+    const double columns = std::round(width / grid.stepX) + 1, around = std::floor(360.0 / grid.stepX);
+    grid.wrapsLongitude = columns >= around;
+    grid.columns = static_cast<int>(std::clamp(columns, 1.0, around));
+    grid.rows = static_cast<int>(std::round((north - south) / grid.stepY)) + 1;
     if (static_cast<double>(grid.columns) * grid.rows <= kMostCells) break;
   }
-  if (width / grid.stepX + 1 > grid.columns) {
-    grid.wrapsLongitude = true;
-    grid.stepX = 360.0 / grid.columns;
-  }
+  if (grid.wrapsLongitude) grid.stepX = 360.0 / grid.columns;
   grid.firstX = west + 0.5 * width - 0.5 * (grid.columns - 1) * grid.stepX;
   grid.firstY = middle - 0.5 * (grid.rows - 1) * grid.stepY;
   // Half a cell beyond a pole is nowhere: the lattice then ends at it.

@@ -37,7 +37,8 @@ std::optional<base::UtcTime> timeFrom(std::string text) {
       if (text[at] < '0' || text[at] > '9') return std::nullopt;
     offset = std::stoi(text.substr(size - 5, 2)) * 3600 + std::stoi(text.substr(size - 2)) * 60;
     if (text[size - 6] == '-') offset = -offset;
-    text.replace(size - 6, 6, "Z");
+    text.resize(size - 6);
+    text += 'Z';
   }
   auto time = base::utcFromIso(text);
   if (time) time->seconds -= offset;

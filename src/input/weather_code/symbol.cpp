@@ -13,6 +13,8 @@ constexpr std::array<int, 7> kLowClouds{0, 10, 30, 75, 200, 0, 0};
 constexpr std::array<double, 7> kCover{0, 0.1, 0.3, 0.75, 1, 0, 0};
 constexpr double kHeapCover = 0.01;  // of one cumulus, see kSkySideMeters
 constexpr float kHeapSpacingMeters = 2700;
+// Sheets whose elements are as wide as the sky are told by so many, lest chance leave them out.
+constexpr int kSheetElements = 4;
 
 /// Gathers the layers of one sky.
 class Builder {
@@ -39,7 +41,7 @@ class Builder {
   }
   void rainDeck(double cover) {
     const double top = std::clamp(heightOfMeters(air_, -20), base_ + 2000, base_ + 6000);
-    add(Part::RainDeck, Genus::Nimbostratus, 0, cover, base_, top);
+    add(Part::RainDeck, Genus::Nimbostratus, kSheetElements, cover, base_, top);
   }
   /// Above the heaps and decks, not above towers: those grow through.
   void veil(int count, double cover) {
@@ -54,7 +56,7 @@ class Builder {
   }
   void highVeil(double cover) {
     const double base = highBase();
-    add(Part::HighVeil, Genus::Cirrostratus, 0, cover, base - 1200, base - 200);
+    add(Part::HighVeil, Genus::Cirrostratus, kSheetElements, cover, base - 1200, base - 200);
   }
   void fog() { add(Part::Fog, Genus::Fog, 0, 1, air_.surfaceMeters, air_.surfaceMeters + 200); }
 
