@@ -67,7 +67,11 @@ std::unique_ptr<field::Source> open(const std::vector<std::filesystem::path>& fi
       throw base::InputError(
           file.string(), fmt::format("is {}, but {} is {}", other.name, files.front().string(), reader.name),
           "give files of one format at a time");
-  return reader.open(files, options);
+  auto source = reader.open(files, options);
+  if (options.time && source->info().validTime != *options.time)
+    throw base::InputError(files.front().string(), "has no data for " + base::isoText(*options.time),
+                           "it is valid at " + base::isoText(source->info().validTime));
+  return source;
 }
 
 }  // namespace cloudgen::input
