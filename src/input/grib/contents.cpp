@@ -136,14 +136,14 @@ class Reading {
     fields_.push_back(std::move(found));
   }
 
-  /// ecCodes is asked once for each kind of field that the numbers do not tell.
+  /// ecCodes is asked once for each kind of field whose numbers are its centre's own.
   std::optional<Parameter> knownParameter(const FieldHead& head, const Product& product) {
     if (const auto parameter = parameterOf(product)) return parameter;
     const std::array key{product.edition,  product.centre, product.table,    product.discipline,
                          product.category, product.number, product.firstType};
-    auto [place, isNew] = names_.emplace(key, std::string());
-    if (isNew) place->second = shortNameOf(head);
-    return parameterNamed(place->second);
+    auto [place, isNew] = strangers_.emplace(key, Stranger{head, std::nullopt});
+    if (isNew && hasOwnNumbers(product)) place->second.parameter = parameterNamed(shortNameOf(head));
+    return place->second.parameter;
   }
 
   Found fieldOf(const FieldHead& head, const Product& product, const Parameter& parameter,
@@ -300,7 +300,8 @@ class Reading {
   std::string otherNames() const {
     constexpr std::size_t kMost = 12;
     std::set<std::string> names;
-    for (const auto& [key, name] : names_) names.insert(name);
+    for (const auto& [key, stranger] : strangers_)
+      if (names.size() <= kMost) names.insert(shortNameOf(stranger.head));
     for (const auto& [name, count] : falling_) names.insert(name);
     if (names.empty()) return "fields that are no state of the air at a moment";
     const std::size_t others = names.size() > kMost ? names.size() - kMost : 0;
@@ -309,6 +310,11 @@ class Reading {
     return fmt::format("{}{}", fmt::join(shown, ", "), others ? fmt::format(" and {} others", others) : "");
   }
 
+  /// A kind of field that the numbers do not tell.
+  struct Stranger {
+    FieldHead head;
+    std::optional<Parameter> parameter;
+  };
   struct HalfLevel {
     Field field;
     Stored stored;
@@ -321,7 +327,7 @@ class Reading {
   std::vector<HalfLevel> halfLevels_;
   std::vector<std::shared_ptr<LazyGrid>> grids_;
   std::map<std::string, std::size_t> gridIndices_;
-  std::map<std::array<int, 7>, std::string> names_;
+  std::map<std::array<int, 7>, Stranger> strangers_;
   std::map<std::string, std::size_t> falling_;
 };
 

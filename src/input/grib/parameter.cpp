@@ -209,6 +209,14 @@ std::optional<Parameter> parameterOf(const Product& product) {
   return std::nullopt;
 }
 
+bool hasOwnNumbers(const Product& product) {
+  constexpr int kLocal1 = 128, kLocal2 = 192;
+  // What NCEP adds is in the tables above.
+  if (product.centre == kNcep) return false;
+  if (product.edition == 1) return product.table >= kLocal1 || product.number >= kLocal1;
+  return product.discipline >= kLocal2 || product.category >= kLocal2 || product.number >= kLocal2;
+}
+
 std::optional<Parameter> parameterNamed(std::string_view shortName) {
   for (const auto& [name, parameter] : kNames)
     if (name == shortName) return parameter;

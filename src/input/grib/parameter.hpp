@@ -50,6 +50,9 @@ struct Parameter {
 /// By the numbers of the file.
 std::optional<Parameter> parameterOf(const Product& product);
 
+/// Whether the numbers are the centre's own and not known here, so that ecCodes may know better.
+bool hasOwnNumbers(const Product& product);
+
 /// By the name that ecCodes has for it, where the numbers say nothing.
 std::optional<Parameter> parameterNamed(std::string_view shortName);
 
