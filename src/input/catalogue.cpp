@@ -10,6 +10,7 @@
 #include "input/described/described.hpp"
 #include "input/grib/grib.hpp"
 #include "input/metar/metar.hpp"
+#include "input/netcdf/netcdf.hpp"
 #include "input/weather_code/weather_code.hpp"
 
 namespace cloudgen::input {
@@ -23,9 +24,10 @@ struct Reader {
 };
 
 /// One line a format; the first that recognises a file reads it.
-constexpr std::array<Reader, 4> kReaders{{
+constexpr std::array<Reader, 5> kReaders{{
     {"described sky", isDescribedSky, openDescribedSky},
     {"weather codes", isWeatherCode, openWeatherCode},
+    {"NetCDF", isNetcdf, openNetcdf},  // before GRIB, whose name stands in files made by cfgrib
     {"GRIB", isGrib, openGrib},
     {"METAR", isMetar, openMetar},
 }};
@@ -52,12 +54,10 @@ const Reader& readerOf(const std::filesystem::path& file) {
   const std::string bytes = firstBytesOf(file);
   for (const Reader& reader : kReaders)
     if (reader.recognises(bytes)) return reader;
-  const bool netcdf = bytes.starts_with("CDF") || bytes.starts_with("\x89HDF");
   throw base::InputError(
-      file.string(),
-      netcdf ? "is a NetCDF file, which is not read yet" : "is of no format that cloudgen reads",
-      "give GRIB1 or GRIB2 model output, a described sky (*.sky.json), METAR reports, or weather codes "
-      "(JSON)");
+      file.string(), "is of no format that cloudgen reads",
+      "give GRIB or NetCDF model output, WWMCA cloud analyses, METAR reports, weather codes "
+      "(JSON) or a described sky (*.sky.json)");
 }
 
 }  // namespace
@@ -72,7 +72,11 @@ std::unique_ptr<field::Source> open(const std::vector<std::filesystem::path>& fi
       throw base::InputError(
           file.string(), fmt::format("is {}, but {} is {}", other.name, files.front().string(), reader.name),
           "give files of one format at a time");
-  return reader.open(files, options);
+  auto source = reader.open(files, options);
+  if (options.time && source->info().validTime != *options.time)
+    throw base::InputError(files.front().string(), "has no data for " + base::isoText(*options.time),
+                           "it is valid at " + base::isoText(source->info().validTime));
+  return source;
 }
 
 }  // namespace cloudgen::input
