@@ -106,6 +106,19 @@ void readPrimitive(const Glb& glb, const json& attributes, const glm::vec3& tran
   }
 }
 
+void readTerrain(const Glb& glb, const json& from, base::HeightField& terrain) {
+  terrain.columns = from.at("columns");
+  terrain.rows = from.at("rows");
+  terrain.origin = {from.at("origin").at(0), from.at("origin").at(1)};
+  terrain.step = {from.at("step").at(0), from.at("step").at(1)};
+  terrain.heights = from.at("heights_m").get<std::vector<float>>();
+  const bool sound = terrain.columns >= 2 && terrain.rows >= 2 && terrain.columns <= 4096 &&
+                     terrain.rows <= 4096 && terrain.step.x > 0 && terrain.step.y > 0 &&
+                     terrain.heights.size() ==
+                         static_cast<std::size_t>(terrain.columns) * static_cast<std::size_t>(terrain.rows);
+  if (!sound) glb.fail("has terrain of another size than it says");
+}
+
 }  // namespace
 
 SplatFile readSplats(const std::filesystem::path& file) {
@@ -130,6 +143,7 @@ SplatFile readSplats(std::string_view bytes, const std::string& where) {
       }
     }
     const json extras = root.value("asset", json::object()).value("extras", json::object());
+    if (extras.contains("terrain")) readTerrain(glb, extras["terrain"], out.terrain);
     if (extras.contains("sun")) {
       out.sunAzimuthDegrees = extras["sun"].value("azimuth_degrees", out.sunAzimuthDegrees);
       out.sunElevationDegrees = extras["sun"].value("elevation_degrees", out.sunElevationDegrees);
