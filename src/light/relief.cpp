@@ -13,7 +13,7 @@ glm::vec3 reliefColor(const base::HeightField& field, int column, int row, const
   const float flat = std::max(sun.direction.y, 0.15f);
   const float lit = std::clamp(glm::dot(normal, sun.direction) / flat, 0.0f, 1.8f);
   const float high = glm::smoothstep(200.0f, 4500.0f, field.at(column, row));
-  const glm::vec3 tint = glm::mix(glm::vec3(1), glm::vec3(2.1f, 1.7f, 1.5f), high);
+  const glm::vec3 tint = glm::mix(glm::vec3(1), glm::vec3(2.3f, 1.6f, 1.75f), high);
   return glm::min(sky.ground * tint * glm::mix(0.45f, 1.0f, lit), glm::vec3(1));
 }
 

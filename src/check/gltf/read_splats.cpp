@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "check/gltf/read_splats.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -112,11 +113,15 @@ void readTerrain(const Glb& glb, const json& from, base::HeightField& terrain) {
   terrain.origin = {from.at("origin").at(0), from.at("origin").at(1)};
   terrain.step = {from.at("step").at(0), from.at("step").at(1)};
   terrain.heights = from.at("heights_m").get<std::vector<float>>();
-  const bool sound = terrain.columns >= 2 && terrain.rows >= 2 && terrain.columns <= 4096 &&
-                     terrain.rows <= 4096 && terrain.step.x > 0 && terrain.step.y > 0 &&
+  const auto within = [](double low, double value, double high) { return value >= low && value <= high; };
+  const bool sound = within(2, terrain.columns, 4096) && within(2, terrain.rows, 4096) &&
+                     within(-1e8, terrain.origin.x, 1e8) && within(-1e8, terrain.origin.y, 1e8) &&
+                     within(0.01, terrain.step.x, 1e7) && within(0.01, terrain.step.y, 1e7) &&
                      terrain.heights.size() ==
-                         static_cast<std::size_t>(terrain.columns) * static_cast<std::size_t>(terrain.rows);
-  if (!sound) glb.fail("has terrain of another size than it says");
+                         static_cast<std::size_t>(terrain.columns) * static_cast<std::size_t>(terrain.rows) &&
+                     std::all_of(terrain.heights.begin(), terrain.heights.end(),
+                                 [&](float height) { return within(-20000, height, 20000); });
+  if (!sound) glb.fail("has terrain that cannot be: its size or its heights are wrong");
 }
 
 }  // namespace

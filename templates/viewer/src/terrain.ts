@@ -70,6 +70,6 @@ export class Terrain {
     const lit = Math.min(1.8, Math.max(0, facing / Math.max(sunY, 0.15)));
     const t = Math.min(1, Math.max(0, (this.at(column, row) + this.lowest - 200) / 4300));
     const high = t * t * (3 - 2 * t);
-    return [2.1, 1.7, 1.5].map((tint, i) => displayValue(this.scene.sky.ground[i] * (1 + high * (tint - 1)) * (0.45 + 0.55 * lit)));
+    return [2.3, 1.6, 1.75].map((tint, i) => displayValue(this.scene.sky.ground[i] * (1 + high * (tint - 1)) * (0.45 + 0.55 * lit)));
   }
 }
