@@ -9,7 +9,9 @@
 #include "base/error.hpp"
 #include "input/described/described.hpp"
 #include "input/grib/grib.hpp"
+#include "input/metar/metar.hpp"
 #include "input/netcdf/netcdf.hpp"
+#include "input/weather_code/weather_code.hpp"
 
 namespace cloudgen::input {
 namespace {
@@ -22,10 +24,12 @@ struct Reader {
 };
 
 /// One line a format; the first that recognises a file reads it.
-constexpr std::array<Reader, 3> kReaders{{
+constexpr std::array<Reader, 5> kReaders{{
     {"described sky", isDescribedSky, openDescribedSky},
+    {"weather codes", isWeatherCode, openWeatherCode},
     {"NetCDF", isNetcdf, openNetcdf},  // before GRIB, whose name stands in files made by cfgrib
     {"GRIB", isGrib, openGrib},
+    {"METAR", isMetar, openMetar},
 }};
 
 std::string firstBytesOf(const std::filesystem::path& file) {
@@ -50,8 +54,10 @@ const Reader& readerOf(const std::filesystem::path& file) {
   const std::string bytes = firstBytesOf(file);
   for (const Reader& reader : kReaders)
     if (reader.recognises(bytes)) return reader;
-  throw base::InputError(file.string(), "is of no format that cloudgen reads",
-                         "give GRIB or NetCDF model output, or a described sky (*.sky.json)");
+  throw base::InputError(
+      file.string(), "is of no format that cloudgen reads",
+      "give GRIB or NetCDF model output, WWMCA cloud analyses, METAR reports, weather codes "
+      "(JSON) or a described sky (*.sky.json)");
 }
 
 }  // namespace
