@@ -9,6 +9,9 @@
 #include "base/error.hpp"
 #include "input/described/described.hpp"
 #include "input/grib/grib.hpp"
+#include "input/metar/metar.hpp"
+#include "input/netcdf/netcdf.hpp"
+#include "input/weather_code/weather_code.hpp"
 
 namespace cloudgen::input {
 namespace {
@@ -21,9 +24,12 @@ struct Reader {
 };
 
 /// One line a format; the first that recognises a file reads it.
-constexpr std::array<Reader, 2> kReaders{{
+constexpr std::array<Reader, 5> kReaders{{
     {"described sky", isDescribedSky, openDescribedSky},
+    {"weather codes", isWeatherCode, openWeatherCode},
+    {"NetCDF", isNetcdf, openNetcdf},  // before GRIB, whose name stands in files made by cfgrib
     {"GRIB", isGrib, openGrib},
+    {"METAR", isMetar, openMetar},
 }};
 
 std::string firstBytesOf(const std::filesystem::path& file) {
@@ -48,11 +54,10 @@ const Reader& readerOf(const std::filesystem::path& file) {
   const std::string bytes = firstBytesOf(file);
   for (const Reader& reader : kReaders)
     if (reader.recognises(bytes)) return reader;
-  const bool netcdf = bytes.starts_with("CDF") || bytes.starts_with("\x89HDF");
   throw base::InputError(
-      file.string(),
-      netcdf ? "is a NetCDF file, which is not read yet" : "is of no format that cloudgen reads",
-      "give GRIB1 or GRIB2 model output, or a described sky (*.sky.json)");
+      file.string(), "is of no format that cloudgen reads",
+      "give GRIB or NetCDF model output, WWMCA cloud analyses, METAR reports, weather codes "
+      "(JSON) or a described sky (*.sky.json)");
 }
 
 }  // namespace

@@ -68,8 +68,7 @@ TEST(RealGfs, HasPlausibleCloudsOverTheNorthAtlantic) {
   const auto cells = field::cellsTouching(source->grid(), {-100, 25, -60, 50});
   ASSERT_EQ(cells.size(), 17u * 11u);
   const auto columns = field::collectColumns(*source, cells);
-  EXPECT_TRUE(columns.fractionDerived);
-  EXPECT_TRUE(columns.phaseDerived);
+  EXPECT_GE(columns.derived.size(), 2u) << "cloud fraction, liquid and ice";
   ASSERT_EQ(columns.start.size(), cells.size() + 1);
   int cloudy = 0;
   double thickest = 0;
