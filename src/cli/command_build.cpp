@@ -10,8 +10,8 @@
 #include "base/text.hpp"
 #include "base/thread.hpp"
 #include "cli/command.hpp"
+#include "cli/input_options.hpp"
 #include "cli/report.hpp"
-#include "input/catalogue.hpp"
 #include "writer/catalogue.hpp"
 
 namespace cloudgen::cli {
@@ -19,9 +19,9 @@ namespace {
 
 /// The command line as written.
 struct BuildLine {
-  std::vector<std::string> inputs;
-  std::string output, box, time = "all", formats, sun = "auto", frame = "local", types, typing, shape, shard,
-                           maxMemory;
+  InputLine input;
+  std::string output, box, formats, sun = "auto", frame = "local", types, typing, shape, shard, maxMemory;
+  double typingWindowMinutes = 180;
   std::uint64_t seed = 1, maxPuffs = 200'000;
   int threads = 0;
   bool overwrite = false, json = false;
@@ -32,7 +32,6 @@ void refuseWhatIsNotBuilt(const BuildLine& line) {
     throw base::NotBuiltError(option, what + " is not part of this build",
                               "leave it out; `cloudgen --version --json` says what is built");
   };
-  if (!line.typing.empty()) refuse("--typing", "joining a cloud typing with a moisture model");
   if (!line.shape.empty()) refuse("--shape", "a shape from a file");
   if (!line.shard.empty()) refuse("--shard", "building in shards");
   if (!line.maxMemory.empty()) refuse("--max-memory", "a memory limit");
@@ -50,22 +49,6 @@ std::optional<std::pair<double, double>> sunFromText(const std::string& text) {
     throw base::UsageError("--sun " + text, "is not AZIMUTH,ELEVATION in degrees",
                            "as in --sun 220,35 (clockwise from north, above the horizon), or --sun auto");
   return std::pair{azimuth, elevation};
-}
-
-/// Nothing for "all": the first is built.
-std::optional<base::UtcTime> timeFromText(const std::string& text) {
-  if (text == "all") return std::nullopt;
-  const auto time = base::utcFromIso(text);
-  if (!time)
-    throw base::UsageError("--time " + text, "is not an ISO time",
-                           "as in --time 2011-01-15T12:00Z, or --time all");
-  return time;
-}
-
-void checkTime(const std::optional<base::UtcTime>& wanted, const field::SourceInfo& info) {
-  if (wanted && *wanted != info.validTime)
-    throw base::InputError(info.files.front(), "has no data for " + base::isoText(*wanted),
-                           "it is valid at " + base::isoText(info.validTime));
 }
 
 /// Seconds since the last call, by stage.
@@ -117,10 +100,11 @@ int build(const BuildLine& line, const Terminal& terminal) {
 
   options.recipes = pipeline::readRecipes(line.types.empty() ? base::dataDir() / "templates" / "types"
                                                              : std::filesystem::path(line.types));
-  input::OpenOptions opening;
-  opening.time = timeFromText(line.time);
-  const auto source = input::open({line.inputs.begin(), line.inputs.end()}, opening);
-  checkTime(opening.time, source->info());
+  const auto source = openInput(line.input);
+  const auto typing = line.typing.empty() ? nullptr
+                                          : openTyping(line.typing, line.input, source->info().validTime,
+                                                       line.typingWindowMinutes);
+  options.typing = typing.get();
   base::StagedFolder folder(line.output, line.overwrite);
   watch.lap("open");
   const pipeline::Outcome outcome = pipeline::run(*source, options, progress);
@@ -130,7 +114,7 @@ int build(const BuildLine& line, const Terminal& terminal) {
     format->write(outcome.scene, {folder.path(), progress});
     watch.lap(fmt::format("write_{}", format->name));
   }
-  const auto report = reportOf(*source, outcome, folder.path(), watch.laps());
+  const auto report = reportOf(*source, typing.get(), outcome, folder.path(), watch.laps());
   base::writeFile(folder.path() / "report.json", report.dump(2) + "\n");
   progress.step("writing", 1);
   folder.commit();
@@ -147,13 +131,11 @@ int build(const BuildLine& line, const Terminal& terminal) {
 
 std::function<int()> setupBuild(CLI::App& options, const Terminal& terminal) {
   const auto line = std::make_shared<BuildLine>();
-  options.add_option("INPUT", line->inputs, "model output: GRIB files, or a described sky (*.sky.json)")
-      ->required();
+  addInputOptions(options, line->input);
   options.add_option("-o,--output", line->output, "folder to make; it appears when it is complete")
       ->required();
   options.add_option("--bbox", line->box,
                      "west,south,east,north in degrees (default: the whole model domain)");
-  options.add_option("--time", line->time, "a valid time (ISO), or all")->capture_default_str();
   options.add_option("--formats", line->formats,
                      "comma-separated list; `cloudgen formats` lists them (default: all that are built)");
   options.add_option("--seed", line->seed, "another seed, another sky of the same statistics")
@@ -173,7 +155,13 @@ std::function<int()> setupBuild(CLI::App& options, const Terminal& terminal) {
   options.add_option("--frame", line->frame, "local: a plane tangent at the middle of the box")
       ->capture_default_str();
   options.add_option("--types", line->types, "folder of recipes, one a genus (default: templates/types)");
-  options.add_option("--typing", line->typing, "cloud typing beside a moisture model (not built yet)");
+  options.add_option("--typing", line->typing,
+                     "cloud typing (a WWMCA file or folder) beside a moisture model: it decides the genera");
+  options
+      .add_option("--typing-window", line->typingWindowMinutes,
+                  "minutes that the typing may be away from the model's time")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
   options.add_option("--shape", line->shape, "a cloud shape from a file (not built yet)");
   options.add_option("--shard", line->shard, "I/N: only a share of the tiles (not built yet)");
   options.add_option("--max-memory", line->maxMemory, "limit of memory (not built yet)");

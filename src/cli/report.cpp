@@ -39,23 +39,46 @@ ordered_json filesIn(const std::filesystem::path& folder) {
   return files;
 }
 
+ordered_json fileNames(const field::SourceInfo& info) {
+  ordered_json files = ordered_json::array();
+  for (const std::string& file : info.files) files.push_back(std::filesystem::path(file).filename().string());
+  return files;
+}
+
+ordered_json typingOf(const field::Source& typing, const pipeline::Pairing& pairing,
+                      base::UtcTime modelTime) {
+  const field::SourceInfo& info = typing.info();
+  const auto share = [](double part, double whole) { return whole > 0 ? rounded(part / whole, 1e6) : 1.0; };
+  return {{"files", fileNames(info)},
+          {"format", info.format},
+          {"valid_time", base::isoText(info.validTime)},
+          {"minutes_after_model", static_cast<double>(info.validTime.seconds - modelTime.seconds) / 60},
+          {"typed_columns", pairing.typedColumns},
+          {"agreement",
+           share(static_cast<double>(pairing.agreeingColumns), static_cast<double>(pairing.typedColumns))},
+          {"matched_layers", pairing.matchedLayers},
+          {"typing_alone", pairing.typingAlone},
+          {"model_alone", pairing.modelAlone},
+          {"cover_kept", share(pairing.keptCover, pairing.modelCover)},
+          {"cover_added", share(pairing.addedCover, pairing.modelCover)}};
+}
+
 }  // namespace
 
-ordered_json reportOf(const field::Source& source, const pipeline::Outcome& outcome,
-                      const std::filesystem::path& folder,
+ordered_json reportOf(const field::Source& source, const field::Source* typing,
+                      const pipeline::Outcome& outcome, const std::filesystem::path& folder,
                       const std::vector<std::pair<std::string, double>>& timingsSeconds) {
   const scene::Scene& scene = outcome.scene;
   const field::SourceInfo& info = source.info();
   const base::GeoBox& box = scene.frame.box();
   ordered_json report;
   report["cloudgen"] = CLOUDGEN_VERSION;
-  ordered_json files = ordered_json::array();
-  for (const std::string& file : info.files) files.push_back(std::filesystem::path(file).filename().string());
-  report["source"] = {{"files", files},
+  report["source"] = {{"files", fileNames(info)},
                       {"format", info.format},
                       {"model", info.model},
                       {"run", info.run ? ordered_json(base::isoText(*info.run)) : ordered_json(nullptr)},
                       {"fields", info.fields}};
+  if (typing && outcome.pairing) report["typing"] = typingOf(*typing, *outcome.pairing, info.validTime);
   report["valid_times"] = {base::isoText(scene.validTime)};
   report["bbox"] = {box.west, box.south, box.east, box.north};
   report["frame"] = {{"kind", "local"},

@@ -13,8 +13,8 @@ namespace cloudgen::cli {
 
 /// What was read, decided and made: report.json, as schemas/report.schema.json says. `files` are the names
 /// written to the folder. Only timings_seconds may differ between two runs.
-nlohmann::ordered_json reportOf(const field::Source& source, const pipeline::Outcome& outcome,
-                                const std::filesystem::path& folder,
+nlohmann::ordered_json reportOf(const field::Source& source, const field::Source* typing,
+                                const pipeline::Outcome& outcome, const std::filesystem::path& folder,
                                 const std::vector<std::pair<std::string, double>>& timingsSeconds);
 
 }  // namespace cloudgen::cli

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/frame.hpp"
+#include "field/source.hpp"
 #include "pipeline/recipes.hpp"
 
 namespace cloudgen::pipeline {
@@ -17,6 +18,7 @@ struct Options {
   std::uint64_t maxPuffs = 200'000;                     ///< drawn puffs, all clouds together
   std::optional<std::pair<double, double>> sunDegrees;  ///< azimuth, elevation; nothing: from time and place
   RecipeBook recipes;
+  const field::Source* typing = nullptr;  ///< cloud typing beside a moisture model; outlives the run
 };
 
 }  // namespace cloudgen::pipeline

@@ -41,10 +41,10 @@ light::Sun sunFor(const field::Source& source, const base::GeoBox& box, const Op
 
 }  // namespace
 
-Origin locateOrigin(const field::Source& source, const Options& options) {
+Origin locateOrigin(const field::Source& source, const field::Grid& grid, const Options& options) {
   const base::GeoBox whole = field::extent(source.grid());
   const base::GeoBox box = options.box.value_or(whole);
-  auto cells = field::cellsTouching(source.grid(), box);
+  auto cells = field::cellsTouching(grid, box);
   if (cells.empty())
     throw base::InputError("--bbox " + boxText(box), "lies outside the model's domain " + boxText(whole),
                            "choose a box inside the domain");

@@ -21,7 +21,8 @@ struct Origin {
 
 /// Scene frame, the model cells in it, and the sun. A sun below 8 degrees leaves a scene nobody can judge: it
 /// is then lit as at 10 h local solar time of the same day, and a warning says so; --sun decides otherwise.
-/// Throws InputError if the box lies outside the grid.
-Origin locateOrigin(const field::Source& source, const Options& options);
+/// `grid` is the one whose cells the clouds stand in: the source's, or a finer typing's. Throws InputError if
+/// the box lies outside the grid.
+Origin locateOrigin(const field::Source& source, const field::Grid& grid, const Options& options);
 
 }  // namespace cloudgen::pipeline

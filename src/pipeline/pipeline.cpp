@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "field/collect.hpp"
@@ -17,13 +18,15 @@
 namespace cloudgen::pipeline {
 namespace {
 
-std::vector<field::Layer> layersFrom(const field::Source& source, const Origin& origin, Outcome& outcome) {
+using Cells = std::vector<std::uint32_t>;
+
+std::vector<field::Layer> layersFrom(const field::Source& source, const Cells& cells, Outcome& outcome) {
   if (source.telling() == field::Telling::Layers) {
-    auto layers = locateLayers(source, origin.cells);
+    auto layers = locateLayers(source, cells);
     outcome.cells = layers.size();
     return layers;
   }
-  const field::CloudColumns columns = field::collectColumns(source, origin.cells);
+  const field::CloudColumns columns = field::collectColumns(source, cells);
   outcome.cells = columns.cells.size();
   if (columns.fractionDerived)
     outcome.derived.emplace_back("cloud fraction", "Xu & Randall 1996 from relative humidity and condensate");
@@ -33,6 +36,24 @@ std::vector<field::Layer> layersFrom(const field::Source& source, const Origin& 
   outcome.derived.emplace_back("cover of a layer", "maximum overlap of its levels");
   outcome.derived.emplace_back("genus", "rules in the order of CDFS II: signature, extent, height");
   return locateLayers(columns);
+}
+
+/// The layers of the model and of the typing joined on the finer grid, in the cells of the box.
+std::vector<field::Layer> pairedLayersFrom(const field::Source& model, const field::Source& typing,
+                                           bool typingFiner, const Origin& origin, Outcome& outcome) {
+  const base::GeoBox& box = origin.frame.box();
+  const base::GeoBox grown = grownBox(model.grid(), typing.grid(), box);
+  const base::GeoBox around = grownBox(model.grid(), typing.grid(), grown);
+  const Cells modelCells = field::cellsTouching(model.grid(), typingFiner ? around : grown),
+              typingCells = field::cellsTouching(typing.grid(), typingFiner ? grown : around);
+  auto paired =
+      pairLayers(model.grid(), layersFrom(model, modelCells, outcome), typing.grid(),
+                 locateLayers(typing, typingCells), typingFiner, typingFiner ? typingCells : modelCells);
+  std::erase_if(paired.layers, [&](const field::Layer& layer) {
+    return !std::binary_search(origin.cells.begin(), origin.cells.end(), layer.cell);
+  });
+  outcome.pairing = paired.pairing;
+  return std::move(paired.layers);
 }
 
 /// Names without folders: a scene must not tell where it was made.
@@ -46,24 +67,29 @@ std::vector<std::string> fileNames(const std::vector<std::string>& files) {
 
 Outcome run(const field::Source& source, const Options& options, const base::Progress& progress) {
   progress.step("origin", 0);
-  Origin origin = locateOrigin(source, options);
+  const field::Source* const typing = options.typing;
+  const base::GeoBox wanted = options.box.value_or(field::extent(source.grid()));
+  const bool typingFiner = typing && typingIsFiner(source.grid(), typing->grid(), wanted);
+  const field::Grid& grid = typingFiner ? typing->grid() : source.grid();
+  Origin origin = locateOrigin(source, grid, options);
   const base::GeoBox& box = origin.frame.box();
   Outcome outcome{scene::Scene{origin.frame}};
   outcome.columns = origin.cells.size();
 
   progress.step("location", 0.05);
   field::CloudTable table;
-  table.layers = layersFrom(source, origin, outcome);
+  table.layers = typing ? pairedLayersFrom(source, *typing, typingFiner, origin, outcome)
+                        : layersFrom(source, origin.cells, outcome);
   outcome.layers = table.layers.size();
-  outcome.patches = joinPatches(source.grid(), table.layers);
+  outcome.patches = joinPatches(grid, table.layers);
 
   progress.step("type", 0.2);
-  typeLayers(source.grid(), table.layers);
+  typeLayers(grid, table.layers);
 
   progress.step("quantity", 0.25);
-  const Generalisation general = generalise(source.grid(), table.layers, options, box);
+  const Generalisation general = generalise(grid, table.layers, options, box);
   outcome.enlargement = general.enlargement;
-  placeClouds(source.grid(), options, general, box, table);
+  placeClouds(grid, options, general, box, table);
 
   progress.step("size", 0.35);
   sizeClouds(options, general, table);
@@ -73,6 +99,9 @@ Outcome run(const field::Source& source, const Options& options, const base::Pro
   outcome.scene.provenance = {fileNames(source.info().files), source.info().format, source.info().model,
                               source.info().run ? base::isoText(*source.info().run) : std::string()};
   for (const field::Warning& warning : source.info().warnings) outcome.warnings.push_back(warning.text);
+  if (typing)
+    for (const field::Warning& warning : typing->info().warnings)
+      outcome.warnings.push_back("typing: " + warning.text);
   outcome.warnings.insert(outcome.warnings.end(), origin.warnings.begin(), origin.warnings.end());
   if (general.enlargement > 1.01)
     outcome.warnings.push_back(

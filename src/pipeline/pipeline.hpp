@@ -9,6 +9,7 @@
 #include "base/progress.hpp"
 #include "field/source.hpp"
 #include "pipeline/options.hpp"
+#include "pipeline/pairing.hpp"
 #include "scene/scene.hpp"
 
 namespace cloudgen::pipeline {
@@ -18,6 +19,7 @@ struct Outcome {
   scene::Scene scene;
   std::uint64_t columns = 0, cells = 0, layers = 0, patches = 0;
   double enlargement = 1;
+  std::optional<Pairing> pairing;  ///< with a typing
   std::vector<std::pair<std::string, std::string>>
       derived;  ///< what was not in the input, and how it was made
   std::vector<std::string> warnings;

@@ -36,8 +36,12 @@ struct Verdict {
   std::string_view rule;
 };
 
-constexpr std::array<TypeRule, 17> kRules{{
+constexpr std::array<TypeRule, 20> kRules{{
     {"stated", "the source states the genus"},
+    {"typing", "the cloud typing states the genus, the model the amount"},
+    {"typing.alone", "the cloud typing states the genus and, as the model has no cloud there, the amount"},
+    {"typing.spread",
+     "the model has more of this cloud than the typed cells hold: it spreads to clear cells"},
     {"cirrus.veil",
      "ice above the high etage's border, cover over 60 %, optical depth 0.3 to 3.6: cirrostratus"},
     {"cirrus.grains",

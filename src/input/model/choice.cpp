@@ -1,0 +1,399 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "input/model/choice.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "base/error.hpp"
+
+namespace cloudgen::input::model {
+namespace {
+
+using field::Quantity;
+
+/// Below this many levels humidity tells less of the clouds' heights than the model's own low, middle and
+/// high cover.
+constexpr std::size_t kFewLevels = 8;
+
+const Quantity* quantityOf(const Field& field) { return std::get_if<Quantity>(&field.meaning); }
+
+const Single* singleOf(const Field& field) { return std::get_if<Single>(&field.meaning); }
+
+bool isWater(const Field& field) {
+  const Quantity* quantity = quantityOf(field);
+  return quantity && (*quantity == Quantity::CloudCondensate || *quantity == Quantity::CloudLiquid ||
+                      *quantity == Quantity::CloudIce);
+}
+
+bool isHumidity(const Field& field) {
+  const Quantity* quantity = quantityOf(field);
+  return quantity && (*quantity == Quantity::RelativeHumidity || *quantity == Quantity::SpecificHumidity);
+}
+
+bool isCover(const Field& field) {
+  const Single* single = singleOf(field);
+  return single && single->kind == SingleKind::CloudCover;
+}
+
+std::string where(const Contents& contents) {
+  return contents.files.size() == 1 ? contents.files.front()
+                                    : fmt::format("{} {} files", contents.files.size(), contents.format);
+}
+
+/// The first few names of what the files hold, for messages.
+std::string namesIn(const Contents& contents) {
+  constexpr std::size_t kMost = 12;
+  std::vector<std::string> names;
+  for (const Field& field : contents.fields)
+    if (std::find(names.begin(), names.end(), field.name) == names.end()) names.push_back(field.name);
+  if (names.empty()) return "no field that is known here";
+  const std::size_t others = names.size() > kMost ? names.size() - kMost : 0;
+  names.resize(names.size() - others);
+  return fmt::format("{}{}", fmt::join(names, ", "), others ? fmt::format(" and {} others", others) : "");
+}
+
+using Test = bool (*)(const Field&);
+
+std::size_t countOf(const Contents& contents, Test test) {
+  std::set<std::pair<VerticalKind, double>> levels;
+  for (const Field& field : contents.fields)
+    if (test(field)) levels.insert({field.vertical.kind, field.vertical.value});
+  return levels.size();
+}
+
+/// The fields that decide time, member, grid and kind of level.
+std::pair<Basis, Test> basisOf(const Contents& contents) {
+  if (countOf(contents, isWater) > 0) return {Basis::Water, isWater};
+  const std::size_t humid = countOf(contents, isHumidity);
+  std::set<CloudPart> covers;
+  for (const Field& field : contents.fields)
+    if (isCover(field)) covers.insert(singleOf(field)->part);
+  const bool byHeight = covers.contains(CloudPart::Low) || covers.contains(CloudPart::Middle) ||
+                        covers.contains(CloudPart::High);
+  if (humid >= kFewLevels || (humid > 0 && !byHeight)) return {Basis::Humidity, isHumidity};
+  if (!covers.empty()) return {Basis::Cover, isCover};
+  throw base::InputError(where(contents),
+                         fmt::format("says nothing about clouds; it holds {}", namesIn(contents)),
+                         "give a file with cloud water, humidity on levels, or cloud cover");
+}
+
+/// "2024-01-01T00:00:00Z, ... and 4 more".
+template <class Values, class Name>
+std::string listed(const Values& values, const Name& name) {
+  constexpr std::size_t kMost = 8;
+  std::vector<std::string> names;
+  for (const auto& value : values)
+    if (names.size() < kMost) names.push_back(name(value));
+  return fmt::format("{}{}", fmt::join(names, ", "),
+                     values.size() > kMost ? fmt::format(" and {} more", values.size() - kMost) : "");
+}
+
+/// The fields that stand out of a larger number by one trait: keeps those with the value.
+template <class Trait, class Value>
+void keep(std::vector<const Field*>& fields, const Trait& trait, const Value& value) {
+  std::erase_if(fields, [&](const Field* field) { return trait(*field) != value; });
+}
+
+template <class Trait>
+auto valuesOf(const std::vector<const Field*>& fields, const Trait& trait) {
+  std::set<std::decay_t<decltype(trait(*fields.front()))>> values;
+  for (const Field* field : fields) values.insert(trait(*field));
+  return values;
+}
+
+/// The value that most fields have; the smallest of equals.
+template <class Trait>
+auto commonest(const std::vector<const Field*>& fields, const Trait& trait) {
+  std::map<std::decay_t<decltype(trait(*fields.front()))>, std::size_t> counts;
+  for (const Field* field : fields) ++counts[trait(*field)];
+  return std::max_element(counts.begin(), counts.end(),
+                          [](const auto& a, const auto& b) { return a.second < b.second; })
+      ->first;
+}
+
+/// Leaves of the leading fields those of one time, member, grid and kind of level, and says what was left
+/// out.
+class Narrowing {
+ public:
+  Narrowing(const Contents& contents, const OpenOptions& options, Test leads) : contents_(contents) {
+    for (const Field& field : contents.fields)
+      if (leads(field)) leading_.push_back(&field);
+    chooseTime(options.time);
+    chooseMember();
+    chooseGrid();
+    chooseLevels();
+  }
+  const Field& first() const { return *leading_.front(); }
+  Choice& choice() { return choice_; }
+
+ private:
+  static base::UtcTime timeOf(const Field& field) { return field.valid.value_or(base::UtcTime{}); }
+
+  void chooseTime(const std::optional<base::UtcTime>& wanted) {
+    const auto times = valuesOf(leading_, timeOf);
+    choice_.validTimes.assign(times.begin(), times.end());
+    const auto iso = [](base::UtcTime time) { return base::isoText(time); };
+    if (wanted && !times.contains(*wanted))
+      throw base::InputError(where(contents_), "has no clouds for " + iso(*wanted),
+                             "it has " + listed(choice_.validTimes, iso));
+    choice_.valid = wanted.value_or(*times.begin());
+    if (!wanted && times.size() > 1)
+      choice_.warnings.push_back(
+          {"several_times",
+           fmt::format("{} valid times in the input: {} is taken (--time chooses another), left out: {}",
+                       times.size(), iso(choice_.valid),
+                       listed(std::vector(choice_.validTimes.begin() + 1, choice_.validTimes.end()), iso))});
+    keep(leading_, timeOf, choice_.valid);
+  }
+
+  void chooseMember() {
+    const auto memberOf = [](const Field& field) { return field.member; };
+    const auto members = valuesOf(leading_, memberOf);
+    if (members.size() > 1)
+      choice_.warnings.push_back(
+          {"several_members",
+           fmt::format("{} ensemble members in the input: {} is taken", members.size(), *members.begin())});
+    keep(leading_, memberOf, *members.begin());
+  }
+
+  void chooseGrid() {
+    const auto gridOf = [](const Field& field) { return field.grid; };
+    choice_.grid = commonest(leading_, gridOf);
+    keep(leading_, gridOf, choice_.grid);
+  }
+
+  void chooseLevels() {
+    const auto kindOf = [](const Field& field) { return field.vertical.kind; };
+    const VerticalKind kind = commonest(leading_, kindOf);
+    const std::size_t before = leading_.size();
+    keep(leading_, kindOf, kind);
+    if (leading_.size() < before)
+      choice_.warnings.push_back(
+          {"other_levels",
+           fmt::format("{} fields on another kind of level are left out", before - leading_.size())});
+    choice_.run = leading_.front()->run;
+  }
+
+  const Contents& contents_;
+  std::vector<const Field*> leading_;
+  Choice choice_;
+};
+
+/// Of a surface field any time will do where the wanted one is missing; only orography lasts.
+bool fits(const Field& field, const Field& leading, const Choice& choice) {
+  if (field.grid != choice.grid) return false;
+  const Single* single = singleOf(field);
+  if (single && single->kind == SingleKind::SurfaceHeight) return true;
+  return (!field.valid || *field.valid == choice.valid) && (field.member == leading.member || !field.valid);
+}
+
+/// Sorts upwards. Numbered levels: by their pressure where hybrid coefficients tell it, else as numbered from
+/// the top (WMO); makeSource() looks at the heights again.
+double heightOrder(const Vertical& vertical) {
+  constexpr double kMeanSurfacePa = 101325;
+  switch (vertical.kind) {
+    case VerticalKind::Pressure:
+    case VerticalKind::Sigma:
+    case VerticalKind::ModelLevel:
+      return -vertical.value;
+    case VerticalKind::Hybrid:
+      return -(vertical.a + vertical.b * kMeanSurfacePa);
+    case VerticalKind::HeightAboveSea:
+    case VerticalKind::HeightAboveGround:
+      break;
+  }
+  return vertical.value;
+}
+
+void addLevelField(const Field& field, Quantity quantity, Choice& choice, std::size_t& repeated) {
+  const auto found = std::find_if(choice.levels.begin(), choice.levels.end(), [&](const ChosenLevel& level) {
+    return level.vertical.value == field.vertical.value;
+  });
+  ChosenLevel& level =
+      found == choice.levels.end() ? choice.levels.emplace_back(ChosenLevel{field.vertical, {}}) : *found;
+  if (!level.fields.emplace(quantity, field).second) ++repeated;
+}
+
+std::string_view kindName(VerticalKind kind) {
+  switch (kind) {
+    case VerticalKind::Pressure:
+      return "pressure";
+    case VerticalKind::Hybrid:
+      return "hybrid";
+    case VerticalKind::Sigma:
+      return "sigma";
+    case VerticalKind::HeightAboveSea:
+      return "height above sea";
+    case VerticalKind::HeightAboveGround:
+      return "height above ground";
+    case VerticalKind::ModelLevel:
+      break;
+  }
+  return "model";
+}
+
+std::string_view unitOf(VerticalKind kind) {
+  if (kind == VerticalKind::Pressure) return "hPa";
+  return kind == VerticalKind::HeightAboveSea || kind == VerticalKind::HeightAboveGround ? "m" : "";
+}
+
+double shownValue(const Vertical& vertical) {
+  return vertical.kind == VerticalKind::Pressure ? vertical.value / 100 : vertical.value;
+}
+
+std::string_view partName(CloudPart part) {
+  constexpr std::string_view kNames[] = {"total", "low", "middle", "high", "convective"};
+  return kNames[static_cast<std::size_t>(part)];
+}
+
+std::string singleName(const Single& single) {
+  switch (single.kind) {
+    case SingleKind::SurfacePressure:
+      return "surface pressure";
+    case SingleKind::LogSurfacePressure:
+      return "logarithm of surface pressure";
+    case SingleKind::SeaLevelPressure:
+      return "sea level pressure";
+    case SingleKind::SurfaceHeight:
+      return "surface height";
+    case SingleKind::CloudCover:
+      return fmt::format("{} cloud cover", partName(single.part));
+    case SingleKind::CloudBaseHeight:
+      return fmt::format("{} cloud base height", partName(single.part));
+    case SingleKind::CloudTopHeight:
+      return fmt::format("{} cloud top height", partName(single.part));
+    case SingleKind::CloudBasePressure:
+      return fmt::format("{} cloud base pressure", partName(single.part));
+    case SingleKind::CloudTopPressure:
+      break;
+  }
+  return fmt::format("{} cloud top pressure", partName(single.part));
+}
+
+bool hasWater(const ChosenLevel& level) {
+  return level.fields.contains(Quantity::CloudCondensate) || level.fields.contains(Quantity::CloudLiquid) ||
+         level.fields.contains(Quantity::CloudIce);
+}
+
+}  // namespace
+
+bool Choice::has(Quantity quantity) const {
+  return std::any_of(levels.begin(), levels.end(),
+                     [&](const ChosenLevel& level) { return level.fields.contains(quantity); });
+}
+
+bool Choice::has(SingleKind kind, CloudPart part) const { return singles.contains({kind, part}); }
+
+Choice choose(const Contents& contents, const OpenOptions& options) {
+  const auto [basis, leads] = basisOf(contents);
+  Narrowing narrowing(contents, options, leads);
+  const Field leading = narrowing.first();
+  Choice choice = std::move(narrowing.choice());
+  choice.basis = basis;
+
+  const auto isIce = [&](const Field& field) {
+    return quantityOf(field) && *quantityOf(field) == Quantity::CloudIce && fits(field, leading, choice);
+  };
+  const bool iceApart = std::any_of(contents.fields.begin(), contents.fields.end(), isIce);
+  std::size_t repeated = 0, elsewhere = 0;
+  for (const Field& field : contents.fields) {
+    if (!fits(field, leading, choice)) {
+      elsewhere += field.grid != choice.grid && field.valid == choice.valid;
+      continue;
+    }
+    if (const Single* single = singleOf(field)) {
+      const auto [found, isNew] = choice.singles.emplace(*single, field);
+      if (!isNew && field.valid == choice.valid) found->second = field;
+      continue;
+    }
+    if (basis == Basis::Cover || field.vertical.kind != leading.vertical.kind) continue;
+    // Where ice has a field of its own, "cloud mixing ratio" means the liquid.
+    const bool liquid = iceApart && *quantityOf(field) == Quantity::CloudCondensate;
+    addLevelField(field, liquid ? Quantity::CloudLiquid : *quantityOf(field), choice, repeated);
+  }
+  std::sort(choice.levels.begin(), choice.levels.end(), [](const ChosenLevel& a, const ChosenLevel& b) {
+    return heightOrder(a.vertical) < heightOrder(b.vertical);
+  });
+  if (repeated)
+    choice.warnings.push_back(
+        {"repeated_fields", fmt::format("{} fields are there twice: the first of each is taken", repeated)});
+  if (elsewhere)
+    choice.warnings.push_back(
+        {"other_grid", fmt::format("{} fields on another grid are left out", elsewhere)});
+  if (choice.has(Quantity::CloudCondensate))
+    choice.warnings.push_back(
+        {"one_condensate",
+         fmt::format("{} is liquid and ice in one field: it is split by temperature", leading.name)});
+  return choice;
+}
+
+field::LevelList levelList(const Choice& choice) {
+  field::LevelList list;
+  for (const ChosenLevel& level : choice.levels) {
+    if (choice.basis == Basis::Water && !hasWater(level)) continue;
+    list.kind = kindName(level.vertical.kind);
+    list.unit = unitOf(level.vertical.kind);
+    list.values.push_back(shownValue(level.vertical));
+  }
+  return list;
+}
+
+std::vector<std::string> fieldLines(const Choice& choice) {
+  struct Use {
+    std::string name;
+    std::vector<Vertical> levels;
+  };
+  std::map<Quantity, Use> uses;
+  for (const ChosenLevel& level : choice.levels)
+    for (const auto& [quantity, field] : level.fields) {
+      uses[quantity].name = field.name;
+      uses[quantity].levels.push_back(level.vertical);
+    }
+  std::vector<std::string> lines;
+  for (const auto& [quantity, use] : uses) {
+    const Vertical &lowest = use.levels.front(), &highest = use.levels.back();
+    lines.push_back(fmt::format("{}: {} on {} {} level{}, {:g} to {:g}{}{}", field::quantityName(quantity),
+                                use.name, use.levels.size(), kindName(lowest.kind),
+                                use.levels.size() == 1 ? "" : "s", shownValue(lowest), shownValue(highest),
+                                unitOf(lowest.kind).empty() ? "" : " ", unitOf(lowest.kind)));
+  }
+  for (const auto& [single, field] : choice.singles)
+    lines.push_back(fmt::format("{}: {}", singleName(single), field.name));
+  return lines;
+}
+
+std::vector<std::string> missingLines(const Choice& choice) {
+  std::vector<std::string> lines;
+  if (choice.basis == Basis::Cover) {
+    lines.emplace_back("water and levels: clouds are layers made from the cover alone");
+    return lines;
+  }
+  if (!choice.has(Quantity::Temperature))
+    lines.emplace_back(
+        "temperature: from the thickness between geopotential heights, else the standard atmosphere");
+  if (!choice.has(Quantity::GeopotentialHeight) && !choice.has(Quantity::Height) &&
+      !choice.has(Quantity::HeightAboveGround))
+    lines.emplace_back("height: from pressure and temperature by the hypsometric equation");
+  const bool humid = choice.has(Quantity::RelativeHumidity) || choice.has(Quantity::SpecificHumidity);
+  if (choice.basis == Basis::Humidity)
+    lines.emplace_back("cloud water: derived from RH (fraction by Sundqvist 1989, water estimated)");
+  else if (!choice.has(Quantity::CloudFraction))
+    lines.emplace_back(
+        humid ? "cloud fraction: derived from relative humidity and condensate (Xu & Randall 1996)"
+              : "cloud fraction: derived from condensate in saturated air (Xu & Randall 1996)");
+  if (choice.has(Quantity::CloudCondensate))
+    lines.emplace_back(
+        "liquid and ice apart: condensate is split by temperature (IFS diagnostic mixed phase)");
+  if (!choice.has(Quantity::WindEast) || !choice.has(Quantity::WindNorth))
+    lines.emplace_back("wind: taken as calm, so clouds neither lean nor line up");
+  if (!choice.has(SingleKind::SurfaceHeight) && !choice.has(SingleKind::SurfacePressure) &&
+      !choice.has(SingleKind::LogSurfacePressure))
+    lines.emplace_back("orography: the lowest level is taken as the ground");
+  return lines;
+}
+
+}  // namespace cloudgen::input::model
