@@ -199,30 +199,35 @@ class CdfsSource : public field::Source {
  private:
   void visitCell(std::uint32_t cell, const std::uint8_t* amounts,
                  const std::function<void(const field::StatedLayer&)>& visit) const {
-    std::array<field::StatedLayer, kLayers> layers;
+    struct Told {
+      PlacedLayer placed;
+      float cover = 0;
+    };
+    std::array<Told, kLayers> upwards;
     std::size_t count = 0;
     for (std::size_t k = 0; k < kLayers; ++k) {
       if (amounts[k] == 0) continue;
       const auto placed = placedLayer(analysis_, cell * kLayers + k);
       if (!placed) continue;
-      field::StatedLayer& layer = layers[count++];
-      layer.cell = cell;
-      layer.genus = placed->kind->genus;
-      layer.coverFraction = 0.01f * amounts[k];
-      layer.baseMeters = placed->baseMeters;
-      layer.topMeters = placed->topMeters;
-      layer.opticalDepth = placed->opticalDepth;
-      layer.iceShare = placed->kind->iceShare;
-      if (!analysis_.ageMinutes.empty())
-        layer.ageMinutes = static_cast<std::uint16_t>(std::max<std::int16_t>(0, analysis_.ageMinutes[cell]));
+      std::size_t place = count++;
+      for (; place > 0 && placed->baseMeters < upwards[place - 1].placed.baseMeters; --place)
+        upwards[place] = upwards[place - 1];
+      upwards[place] = {*placed, 0.01f * amounts[k]};
     }
-    const auto lower = [](const field::StatedLayer& a, const field::StatedLayer& b) {
-      return a.baseMeters < b.baseMeters;
-    };
-    for (std::size_t i = 1; i < count; ++i)
-      for (std::size_t k = i; k > 0 && lower(layers[k], layers[k - 1]); --k)
-        std::swap(layers[k], layers[k - 1]);
-    for (std::size_t i = 0; i < count; ++i) visit(layers[i]);
+    field::StatedLayer layer;
+    layer.cell = cell;
+    if (!analysis_.ageMinutes.empty())
+      layer.ageMinutes = static_cast<std::uint16_t>(std::max<std::int16_t>(0, analysis_.ageMinutes[cell]));
+    for (std::size_t i = 0; i < count; ++i) {
+      const PlacedLayer& placed = upwards[i].placed;
+      layer.genus = placed.kind->genus;
+      layer.coverFraction = upwards[i].cover;
+      layer.baseMeters = placed.baseMeters;
+      layer.topMeters = placed.topMeters;
+      layer.opticalDepth = placed.opticalDepth;
+      layer.iceShare = placed.kind->iceShare;
+      visit(layer);
+    }
   }
 
   void tellFields() {

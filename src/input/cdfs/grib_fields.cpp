@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "base/error.hpp"
+#include "base/thread.hpp"
 #include "input/grib/handle.hpp"
 
 namespace cloudgen::input::cdfs {
@@ -197,13 +198,16 @@ MeshHeader headerOf(const grib::Handle& handle, Hemisphere half) {
   return header;
 }
 
+std::uint8_t typeless(TypeTable table) { return table == TypeTable::Afwa ? kNotFilled : kWmoMissing; }
+
+/// Values are whole numbers that packing may have moved a little. (std::round is a call, and there are
+/// millions.)
 std::uint8_t byteOf(double value, std::uint8_t missing) {
-  return std::isnan(value) ? missing : static_cast<std::uint8_t>(std::clamp(std::round(value), 0.0, 254.0));
+  return value == value ? static_cast<std::uint8_t>(std::min(std::max(value, 0.0), 254.0) + 0.5) : missing;
 }
 
 std::int16_t heightOf(double value) {
-  return std::isnan(value) ? kNoHeight
-                           : static_cast<std::int16_t>(std::clamp(std::round(value), -32000.0, 32000.0));
+  return value > 0 ? static_cast<std::int16_t>(std::min(value, 32000.0) + 0.5) : kNoHeight;
 }
 
 }  // namespace
@@ -238,38 +242,61 @@ Mesh meshOf(const std::vector<GribField>& fields, std::vector<field::Warning>& w
 }
 
 void GribReader::read(const std::vector<GribField>& fields, std::size_t half) {
-  for (const GribField& field : fields) {
-    const grib::Handle handle(field.location);
-    keep(field, handle.values(analysis_.mesh.size()), half);
+  constexpr std::size_t kTasks = 4;  // each holds a decoded message
+  for (const GribField& field : fields) provide(field.column);
+  base::parallelFor(kTasks, [&](std::size_t task) {
+    for (const GribField& field : fields)
+      if (static_cast<std::size_t>(field.column) % kTasks == task)
+        keep(field, grib::Handle(field.location).values(analysis_.mesh.size()), half);
+  });
+  for (const GribField& field : fields)
+    if (field.column == GribColumn::UpdateTime)
+      analysis_.fields.push_back(fmt::format(
+          "update time of the {}: {}", field.half == Hemisphere::North ? "north" : "south",
+          absoluteTimes_ ? "minutes since 1967-12-31" : "minutes from the base time, of either sign"));
+}
+
+void GribReader::provide(GribColumn column) {
+  const std::size_t cells = analysis_.cells(), slots = cells * kLayers;
+  switch (column) {
+    case GribColumn::Amount:
+      return Analysis::provide(analysis_.amount, slots, std::uint8_t{0});
+    case GribColumn::Type:
+      return Analysis::provide(analysis_.type, slots, typeless(analysis_.table));
+    case GribColumn::Base:
+      return Analysis::provide(analysis_.base, slots, kNoHeight);
+    case GribColumn::Top:
+      return Analysis::provide(analysis_.top, slots, kNoHeight);
+    case GribColumn::OpticalDepth:
+      return Analysis::provide(analysis_.opticalDepth, slots, 0.0f);
+    case GribColumn::TotalCover:
+      return Analysis::provide(analysis_.totalCover, cells, std::uint8_t{255});
+    case GribColumn::UpdateTime:
+      return Analysis::provide(analysis_.ageMinutes, cells, std::int16_t{0});
+    case GribColumn::Other:
+      return;
   }
 }
 
 void GribReader::keep(const GribField& field, const std::vector<double>& values, std::size_t half) {
-  const std::size_t all = analysis_.cells(), first = half * analysis_.mesh.size();
-  const auto fill = [&](auto& column, auto missing, const auto& convert) {
-    Analysis::provide(column, all * kLayers, missing);
+  const std::size_t first = half * analysis_.mesh.size();
+  const auto fill = [&](auto& column, const auto& convert) {
     auto* slot = column.data() + first * kLayers + field.layer;
     for (std::size_t i = 0; i < values.size(); ++i) slot[i * kLayers] = convert(values[i]);
   };
-  const std::uint8_t typeless = analysis_.table == TypeTable::Afwa ? kNotFilled : kWmoMissing;
   switch (field.column) {
     case GribColumn::Amount:
-      return fill(analysis_.amount, std::uint8_t{0}, [](double value) { return byteOf(value, 0); });
+      return fill(analysis_.amount, [](double value) { return byteOf(value, 0); });
     case GribColumn::Type:
-      return fill(analysis_.type, typeless, [&](double value) { return byteOf(value, typeless); });
+      return fill(analysis_.type,
+                  [missing = typeless(analysis_.table)](double value) { return byteOf(value, missing); });
     case GribColumn::Base:
-      return fill(analysis_.base, kNoHeight, heightOf);
+      return fill(analysis_.base, heightOf);
     case GribColumn::Top:
-      return fill(analysis_.top, kNoHeight, heightOf);
+      return fill(analysis_.top, heightOf);
     case GribColumn::OpticalDepth:
-      return fill(analysis_.opticalDepth, 0.0f, [&](double value) {
-        if (!(value > 0 && value < 1e6)) return 0.0f;
-        largestDepth_ = std::max(largestDepth_, value);
-        fractionalDepth_ |= std::abs(value - std::round(value)) > 1e-3;
-        return static_cast<float>(value);
-      });
+      return fill(analysis_.opticalDepth, [this](double value) { return keepDepth(value); });
     case GribColumn::TotalCover:
-      Analysis::provide(analysis_.totalCover, all, std::uint8_t{255});
       std::transform(values.begin(), values.end(),
                      analysis_.totalCover.begin() + static_cast<std::ptrdiff_t>(first),
                      [](double value) { return byteOf(value, 255); });
@@ -281,24 +308,26 @@ void GribReader::keep(const GribField& field, const std::vector<double>& values,
   }
 }
 
+float GribReader::keepDepth(double value) {
+  if (!(value > 0 && value < 1e6)) return 0;
+  const double beyond = value - static_cast<double>(static_cast<int>(value));
+  fractionalDepth_ |= beyond > 1e-3 && beyond < 1 - 1e-3;
+  largestDepth_ = std::max(largestDepth_, value);
+  return static_cast<float>(value);
+}
+
 void GribReader::keepAges(const std::vector<double>& values, std::size_t first) {
   constexpr double kSurelyAbsolute = 1e6;
   const auto large = [](double value) { return std::abs(value) > kSurelyAbsolute; };
-  const bool absolute = std::any_of(values.begin(), values.end(), large);
+  absoluteTimes_ = std::any_of(values.begin(), values.end(), large);
   const double now =
       static_cast<double>(analysis_.time.seconds - base::utcFromCivil(1967, 12, 31).seconds) / 60;
-  Analysis::provide(analysis_.ageMinutes, analysis_.cells(), std::int16_t{0});
   for (std::size_t i = 0; i < values.size(); ++i) {
-    const bool never = std::isnan(values[i]) || (absolute && values[i] == 0);
-    const double age = absolute ? now - values[i] : std::abs(values[i]);
+    const bool never = std::isnan(values[i]) || (absoluteTimes_ && values[i] == 0);
+    const double age = absoluteTimes_ ? now - values[i] : std::abs(values[i]);
     analysis_.ageMinutes[first + i] =
-        never ? kNeverObserved : static_cast<std::int16_t>(std::clamp(std::round(age), -32768.0, 32766.0));
+        never ? kNeverObserved : static_cast<std::int16_t>(std::clamp(age, -32768.0, 32766.0));
   }
-  const std::string line = absolute
-                               ? "update time: parameter 183, minutes since 1967-12-31"
-                               : "update time: parameter 183, minutes from the base time, of either sign";
-  if (std::find(analysis_.fields.begin(), analysis_.fields.end(), line) == analysis_.fields.end())
-    analysis_.fields.push_back(line);
 }
 
 void GribReader::finish() {

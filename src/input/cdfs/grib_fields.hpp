@@ -41,7 +41,8 @@ std::vector<GribField> gribFieldsOf(const std::filesystem::path& file, std::vect
 /// projection, absurd sizes.
 Mesh meshOf(const std::vector<GribField>& fields, std::vector<field::Warning>& warnings);
 
-/// Decodes messages one at a time into the columns of `analysis`, as half number `half`.
+/// Decodes messages into the columns of `analysis`, as half number `half`; a column is one task, four at a
+/// time.
 ///
 /// Optical depths are stored times ten (LISF read_cod): whole numbers, or any over 200, are divided by ten,
 /// with the warning "optical_depth_x10". Times of last update are minutes from the base time (of either sign)
@@ -53,12 +54,14 @@ class GribReader {
   void finish();
 
  private:
+  void provide(GribColumn column);
   void keep(const GribField& field, const std::vector<double>& values, std::size_t half);
+  float keepDepth(double value);
   void keepAges(const std::vector<double>& values, std::size_t first);
 
   Analysis& analysis_;
   double largestDepth_ = 0;
-  bool fractionalDepth_ = false;
+  bool fractionalDepth_ = false, absoluteTimes_ = false;
 };
 
 }  // namespace cloudgen::input::cdfs
