@@ -127,7 +127,11 @@ std::unique_ptr<field::Source> open(const std::vector<std::filesystem::path>& fi
           "give files of one format at a time");
     paths.push_back(one.path);
   }
-  return first.reader->open(paths, options);
+  auto source = first.reader->open(paths, options);
+  if (options.time && source->info().validTime != *options.time)
+    throw base::InputError(files.front().string(), "has no data for " + base::isoText(*options.time),
+                           "it is valid at " + base::isoText(source->info().validTime));
+  return source;
 }
 
 }  // namespace cloudgen::input

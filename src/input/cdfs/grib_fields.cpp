@@ -245,9 +245,12 @@ void GribReader::read(const std::vector<GribField>& fields, std::size_t half) {
   constexpr std::size_t kTasks = 4;  // each holds a decoded message
   for (const GribField& field : fields) provide(field.column);
   base::parallelFor(kTasks, [&](std::size_t task) {
-    for (const GribField& field : fields)
-      if (static_cast<std::size_t>(field.column) % kTasks == task)
-        keep(field, grib::Handle(field.location).values(analysis_.mesh.size()), half);
+    std::vector<double> values;
+    for (const GribField& field : fields) {
+      if (static_cast<std::size_t>(field.column) % kTasks != task) continue;
+      grib::Handle(field.location).readValues(values, analysis_.mesh.size());
+      keep(field, values, half);
+    }
   });
   for (const GribField& field : fields)
     if (field.column == GribColumn::UpdateTime)

@@ -117,9 +117,15 @@ void Handle::checkPacking() const {
 }
 
 std::vector<double> Handle::values(std::size_t count) const {
+  std::vector<double> values;
+  readValues(values, count);
+  return values;
+}
+
+void Handle::readValues(std::vector<double>& values, std::size_t count) const {
   checkPacking();
   constexpr double kMissing = -1e100;
-  std::vector<double> values(count);
+  values.resize(count);
   std::size_t stated = 0, read = count;
   const int code = guarded([&] {
     codes_set_double(handle_.get(), "missingValue", kMissing);
@@ -132,7 +138,6 @@ std::vector<double> Handle::values(std::size_t count) const {
     fail(fmt::format("holds {} values where its grid has {} points", std::min(stated, read), count));
   for (double& value : values)
     if (value == kMissing || !std::isfinite(value)) value = std::numeric_limits<double>::quiet_NaN();
-  return values;
 }
 
 }  // namespace cloudgen::input::grib

@@ -30,6 +30,8 @@ class Handle {
   /// Every value in the order of the file; NaN where the bitmap says missing. Throws unless there are
   /// `count`.
   std::vector<double> values(std::size_t count) const;
+  /// The same into a vector that may be used again for the next message.
+  void readValues(std::vector<double>& values, std::size_t count) const;
 
   const FieldLocation& location() const { return location_; }
 
