@@ -13,6 +13,7 @@
 
 #include "base/error.hpp"
 #include "input/cdfs/grib_fields.hpp"
+#include "input/cdfs/placed_layer.hpp"
 #include "input/cdfs/raw_files.hpp"
 #include "input/cdfs/rules.hpp"
 

@@ -7,7 +7,6 @@ namespace cloudgen::input::cdfs {
 namespace {
 
 using base::Genus;
-using Table = std::array<CloudKind, 256>;
 
 //                                     in table  genus            above fog  depth  least base  optical depth
 //                                     ice
@@ -31,8 +30,8 @@ constexpr CloudKind kUnknownHigh{true, std::nullopt, false, 1500, 3000, 2, 1};
 constexpr std::array kSharedKinds{kCumulonimbus, kStratus,      kStratocumulus, kCumulus,
                                   kAltostratus,  kNimbostratus, kAltocumulus,   kCirrostratus};
 
-constexpr Table afwa() {
-  Table table{};
+constexpr KindTable afwa() {
+  KindTable table{};
   table[0] = table[25] = kUnknown;
   for (std::size_t i = 0; i < kSharedKinds.size(); ++i) table[i + 1] = kSharedKinds[i];
   table[9] = kCirrus;
@@ -40,8 +39,8 @@ constexpr Table afwa() {
   return table;
 }
 
-constexpr Table wmo() {
-  Table table{};
+constexpr KindTable wmo() {
+  KindTable table{};
   table[0] = table[191] = table[255] = kUnknown;
   for (std::size_t i = 0; i < kSharedKinds.size(); ++i) table[i + 1] = kSharedKinds[i];
   table[9] = kCirrocumulus;
@@ -54,13 +53,9 @@ constexpr Table wmo() {
   return table;
 }
 
-constexpr Table kAfwa = afwa(), kWmo = wmo();
-
 }  // namespace
 
-const CloudKind& kindOf(TypeTable table, std::uint8_t code) {
-  return (table == TypeTable::Afwa ? kAfwa : kWmo)[code];
-}
+constinit const KindTable kAfwaKinds = afwa(), kWmoKinds = wmo();
 
 const CloudKind& unknownKind(float topMeters) {
   return topMeters < 3000 ? kUnknownLow : topMeters < 7500 ? kUnknownMiddle : kUnknownHigh;

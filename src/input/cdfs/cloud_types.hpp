@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -32,7 +33,12 @@ struct CloudKind {
   float opticalDepth = 0, iceShare = 0;
 };
 
-const CloudKind& kindOf(TypeTable table, std::uint8_t code);
+using KindTable = std::array<CloudKind, 256>;
+extern const KindTable kAfwaKinds, kWmoKinds;
+
+inline const CloudKind& kindOf(TypeTable table, std::uint8_t code) {
+  return (table == TypeTable::Afwa ? kAfwaKinds : kWmoKinds)[code];
+}
 
 /// The kind of a cloud of unknown type, by its top.
 const CloudKind& unknownKind(float topMeters);

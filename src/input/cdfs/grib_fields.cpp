@@ -200,14 +200,17 @@ MeshHeader headerOf(const grib::Handle& handle, Hemisphere half) {
 
 std::uint8_t typeless(TypeTable table) { return table == TypeTable::Afwa ? kNotFilled : kWmoMissing; }
 
+/// Neither missing nor damaged.
+bool isThere(double value) { return value > 0.5 * grib::Handle::kMissing; }
+
 /// Values are whole numbers that packing may have moved a little. (std::round is a call, and there are
 /// millions.)
 std::uint8_t byteOf(double value, std::uint8_t missing) {
-  return value == value ? static_cast<std::uint8_t>(std::min(std::max(value, 0.0), 254.0) + 0.5) : missing;
+  return isThere(value) ? static_cast<std::uint8_t>(std::min(254.0, std::max(0.0, value)) + 0.5) : missing;
 }
 
 std::int16_t heightOf(double value) {
-  return value > 0 ? static_cast<std::int16_t>(std::min(value, 32000.0) + 0.5) : kNoHeight;
+  return value > 0 ? static_cast<std::int16_t>(std::min(32000.0, value) + 0.5) : kNoHeight;
 }
 
 }  // namespace
@@ -321,12 +324,12 @@ float GribReader::keepDepth(double value) {
 
 void GribReader::keepAges(const std::vector<double>& values, std::size_t first) {
   constexpr double kSurelyAbsolute = 1e6;
-  const auto large = [](double value) { return std::abs(value) > kSurelyAbsolute; };
+  const auto large = [](double value) { return isThere(value) && std::abs(value) > kSurelyAbsolute; };
   absoluteTimes_ = std::any_of(values.begin(), values.end(), large);
   const double now =
       static_cast<double>(analysis_.time.seconds - base::utcFromCivil(1967, 12, 31).seconds) / 60;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    const bool never = std::isnan(values[i]) || (absoluteTimes_ && values[i] == 0);
+    const bool never = !isThere(values[i]) || (absoluteTimes_ && values[i] == 0);
     const double age = absoluteTimes_ ? now - values[i] : std::abs(values[i]);
     analysis_.ageMinutes[first + i] =
         never ? kNeverObserved : static_cast<std::int16_t>(std::clamp(age, -32768.0, 32766.0));

@@ -11,6 +11,7 @@
 
 #include "base/thread.hpp"
 #include "input/cdfs/counts.hpp"
+#include "input/cdfs/placed_layer.hpp"
 
 namespace cloudgen::input::cdfs {
 namespace {
@@ -24,13 +25,6 @@ constexpr std::array kBands{Band{0, 12600}, Band{10, 12300}, Band{25, 12000}, Ba
                             Band{60, 11400}};
 
 constexpr int kTotalSlack = 5;
-
-/// A height above mean sea level, or 0 where there is none: "no cloud" is written as 0 or below.
-float heightIn(const std::vector<std::int16_t>& column, std::size_t slot) {
-  if (column.empty()) return 0;
-  const float height = column[slot];
-  return height > 0 && height <= kHighestMeters ? height : 0;
-}
 
 bool isCumulonimbus(const CloudKind& kind) { return kind.genus == base::Genus::Cumulonimbus; }
 
@@ -152,28 +146,6 @@ class RuleBook {
 float leastCumulonimbusTop(double latitudeDegrees) {
   const auto reached = [&](const Band& band) { return std::abs(latitudeDegrees) >= band.fromDegrees; };
   return std::find_if(kBands.rbegin(), kBands.rend() - 1, reached)->topMeters;
-}
-
-std::optional<PlacedLayer> placedLayer(const Analysis& analysis, std::size_t slot) {
-  PlacedLayer layer;
-  layer.topMeters = heightIn(analysis.top, slot);
-  layer.baseMeters = heightIn(analysis.base, slot);
-  const float known = std::max(layer.topMeters, layer.baseMeters);
-  if (!(known > 0)) return std::nullopt;
-  layer.kind = analysis.type.empty() ? nullptr : &kindOf(analysis.table, analysis.type[slot]);
-  if (!layer.kind || !layer.kind->genus) layer.kind = &unknownKind(known);
-  const CloudKind& kind = *layer.kind;
-  if (!(layer.topMeters > 0)) {
-    layer.topMeters = layer.baseMeters + kind.depthMeters;
-  } else if (!(layer.baseMeters > 0 && layer.baseMeters < layer.topMeters)) {
-    layer.baseAssumed = true;
-    layer.baseMeters =
-        std::max(layer.topMeters - kind.depthMeters, std::min(kind.leastBaseMeters, 0.5f * layer.topMeters));
-  }
-  const float given = analysis.opticalDepth.empty() ? 0 : analysis.opticalDepth[slot];
-  layer.depthAssumed = !(given > 0);
-  layer.opticalDepth = layer.depthAssumed ? kind.opticalDepth : std::min(given, 1000.0f);
-  return layer;
 }
 
 void applyRules(Analysis& analysis) {

@@ -119,12 +119,13 @@ void Handle::checkPacking() const {
 std::vector<double> Handle::values(std::size_t count) const {
   std::vector<double> values;
   readValues(values, count);
+  for (double& value : values)
+    if (value == kMissing || !std::isfinite(value)) value = std::numeric_limits<double>::quiet_NaN();
   return values;
 }
 
 void Handle::readValues(std::vector<double>& values, std::size_t count) const {
   checkPacking();
-  constexpr double kMissing = -1e100;
   values.resize(count);
   std::size_t stated = 0, read = count;
   const int code = guarded([&] {
@@ -136,8 +137,6 @@ void Handle::readValues(std::vector<double>& values, std::size_t count) const {
   if (code != CODES_SUCCESS) fail(fmt::format("has damaged data ({})", codes_get_error_message(code)));
   if (stated != count || read != count)
     fail(fmt::format("holds {} values where its grid has {} points", std::min(stated, read), count));
-  for (double& value : values)
-    if (value == kMissing || !std::isfinite(value)) value = std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace cloudgen::input::grib

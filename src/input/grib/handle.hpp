@@ -30,8 +30,10 @@ class Handle {
   /// Every value in the order of the file; NaN where the bitmap says missing. Throws unless there are
   /// `count`.
   std::vector<double> values(std::size_t count) const;
-  /// The same into a vector that may be used again for the next message.
+  /// The same as ecCodes gives them, missing values as kMissing, into a vector that may serve again for the
+  /// next message: each pass over a million values counts.
   void readValues(std::vector<double>& values, std::size_t count) const;
+  static constexpr double kMissing = -1e100;
 
   const FieldLocation& location() const { return location_; }
 
