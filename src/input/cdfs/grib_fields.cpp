@@ -206,7 +206,7 @@ bool isThere(double value) { return value > 0.5 * grib::Handle::kMissing; }
 /// Values are whole numbers that packing may have moved a little. (std::round is a call, and there are
 /// millions.)
 std::uint8_t byteOf(double value, std::uint8_t missing) {
-  return isThere(value) ? static_cast<std::uint8_t>(std::min(254.0, std::max(0.0, value)) + 0.5) : missing;
+  return isThere(value) ? static_cast<std::uint8_t>(std::min(255.0, std::max(0.0, value)) + 0.5) : missing;
 }
 
 std::int16_t heightOf(double value) {
