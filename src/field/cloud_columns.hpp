@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "field/grid.hpp"
@@ -21,7 +23,7 @@ struct CloudCell {
 
 /// What the column says whether or not it is cloudy; steps 1 to 3 use it.
 struct ColumnState {
-  float surfaceHeightMeters = 0;  ///< lowest level's height where the file gives no orography
+  float surfaceHeightMeters = 0;  ///< orography, else by surface pressure, else the lowest level's
   float temperature850K = 0, temperature500K = 0, dewPoint850K = 0, temperature700K = 0, dewPoint700K = 0;
   float kIndexC = 0;  ///< K-index, George 1960; NaN where levels are missing
 };
@@ -33,8 +35,8 @@ struct CloudColumns {
   std::vector<ColumnState> states;     ///< one a column
   std::vector<std::uint32_t> start;    ///< columns.size() + 1
   std::vector<CloudCell> cells;
-  bool fractionDerived = false;  ///< no cloud fraction in the file: Xu & Randall
-  bool phaseDerived = false;     ///< liquid + ice in one field: split by temperature
+  /// What was not in the input, and how it was made: (what, how), one line each.
+  std::vector<std::pair<std::string, std::string>> derived;
 };
 
 }  // namespace cloudgen::field

@@ -28,6 +28,19 @@ double vapourPressureOverIce(double temperatureK) {
   return 611.15 * std::exp(22.452 * t / (272.55 + t));
 }
 
+struct EarthAt {
+  double radiusMeters, gravityRatio;  ///< to 9.80665 m/s2
+};
+
+/// WGS84: equatorial radius and gravity, flattening, Somigliana's constants (NIMA TR8350.2, 1997).
+EarthAt earthAt(double latitudeDegrees) {
+  constexpr double kRadius = 6378137.0, kFlattening = 1.0 / 298.257223563, kRotation = 0.00344978650684;
+  const double sine = std::sin(latitudeDegrees * std::numbers::pi / 180.0), squared = sine * sine;
+  const double gravity =
+      9.7803253359 * (1.0 + 0.00193185265241 * squared) / std::sqrt(1.0 - 0.00669437999013 * squared);
+  return {kRadius / (1.0 + kFlattening + kRotation - 2.0 * kFlattening * squared), gravity / 9.80665};
+}
+
 }  // namespace
 
 double airDensity(double pressurePa, double temperatureK, double specificHumidity) {
@@ -71,6 +84,24 @@ double cloudFractionXuRandall(double relativeHumidity, double condensate, double
   return fraction < 0.01 ? 0.0 : std::min(fraction, 1.0);
 }
 
+double criticalRelativeHumidity(double pressurePa, double surfacePressurePa) {
+  constexpr double kAtGround = 0.9, kAloft = 0.7;
+  const double ratio = std::max(surfacePressurePa / std::max(pressurePa, 1.0), 1.0);
+  return kAloft + (kAtGround - kAloft) * std::exp(1.0 - std::pow(ratio, 4));
+}
+
+double cloudFractionSundqvist(double relativeHumidity, double criticalHumidity) {
+  if (!(relativeHumidity > criticalHumidity)) return 0;
+  if (relativeHumidity >= 1.0) return 1;
+  return 1.0 - std::sqrt((1.0 - relativeHumidity) / (1.0 - criticalHumidity));
+}
+
+double diagnosedCloudWater(double heightAboveGroundMeters, double precipitableWater) {
+  constexpr double kAtGround = 0.21e-3;  // kg/m3
+  const double scale = std::max(700.0 * std::log1p(std::max(precipitableWater, 0.0)), 1.0);
+  return kAtGround * std::exp(-std::max(heightAboveGroundMeters, 0.0) / scale);
+}
+
 double liquidEffectiveRadius(double liquidWaterContent) {
   constexpr double kNumber = 1e8, kSpectrum = 0.77;
   const double cubed = 3.0 * std::max(liquidWaterContent, 0.0) /
@@ -98,13 +129,13 @@ double iceExtinction(double iceWaterContent, double temperatureK) {
 }
 
 double geometricHeight(double geopotentialMeters, double latitudeDegrees) {
-  // WGS84: equatorial radius and gravity, flattening, Somigliana's constants (NIMA TR8350.2, 1997).
-  constexpr double kRadius = 6378137.0, kFlattening = 1.0 / 298.257223563, kRotation = 0.00344978650684;
-  const double sine = std::sin(latitudeDegrees * std::numbers::pi / 180.0), squared = sine * sine;
-  const double gravity =
-      9.7803253359 * (1.0 + 0.00193185265241 * squared) / std::sqrt(1.0 - 0.00669437999013 * squared);
-  const double radius = kRadius / (1.0 + kFlattening + kRotation - 2.0 * kFlattening * squared);
-  return radius * geopotentialMeters / (gravity / 9.80665 * radius - geopotentialMeters);
+  const auto [radius, gravityRatio] = earthAt(latitudeDegrees);
+  return radius * geopotentialMeters / (gravityRatio * radius - geopotentialMeters);
+}
+
+double geopotentialHeight(double heightMeters, double latitudeDegrees) {
+  const auto [radius, gravityRatio] = earthAt(latitudeDegrees);
+  return gravityRatio * radius * heightMeters / (radius + heightMeters);
 }
 
 }  // namespace cloudgen::field

@@ -28,6 +28,17 @@ double liquidShare(double temperatureK);
 /// (exponent clamped at -6.9, fractions under 0.01 cut to 0).
 double cloudFractionXuRandall(double relativeHumidity, double condensate, double saturationHumidity);
 
+/// Relative humidity (0..1) above which a cell has cloud: 0.7 + 0.2 exp(1 - (ps / p)^4), from 0.9 at the
+/// ground to 0.7 aloft (Lohmann & Roeckner 1996, with the numbers of ECHAM5 in Quaas 2012).
+double criticalRelativeHumidity(double pressurePa, double surfacePressurePa);
+
+/// Cloud fraction from relative humidity alone: 1 - sqrt((1 - RH) / (1 - RH_crit)) (Sundqvist et al. 1989).
+double cloudFractionSundqvist(double relativeHumidity, double criticalHumidity);
+
+/// Water content within clouds, kg/m3, where only humidity is known: 0.21 g/m3 exp(-z / h) with h = 700 m
+/// ln(1 + W), W the precipitable water in kg/m2 (Hack 1998; NCAR CCM3, Kiehl et al. 1996).
+double diagnosedCloudWater(double heightAboveGroundMeters, double precipitableWater);
+
 /// Effective radius of droplets, m: Martin et al. 1994 for a number of 1e8 m-3 and k = 0.77, within 4..30 um.
 double liquidEffectiveRadius(double liquidWaterContent);
 
@@ -42,5 +53,8 @@ double iceExtinction(double iceWaterContent, double temperatureK);
 /// Height above mean sea level, m, of a geopotential height (gpm): Mahoney 2001, with the gravity and radius
 /// of the WGS84 ellipsoid at that latitude.
 double geometricHeight(double geopotentialMeters, double latitudeDegrees);
+
+/// The way back: geopotential height, gpm, of a height above mean sea level.
+double geopotentialHeight(double heightMeters, double latitudeDegrees);
 
 }  // namespace cloudgen::field

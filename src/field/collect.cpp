@@ -9,33 +9,28 @@
 #include <optional>
 
 #include "base/error.hpp"
+#include "field/air.hpp"
 #include "field/cloud_water.hpp"
 #include "field/column_state.hpp"
+#include "field/hypsometry.hpp"
+#include "field/level_gaps.hpp"
+#include "field/settle.hpp"
 
 namespace cloudgen::field {
 namespace {
 
 constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
 
-/// A level and what follows from it, one value a column.
+/// A level and its air.
 struct Slab {
   std::uint32_t number = 0;
   Level level;
   AirLevel air;
-  std::vector<float> heightMeters, relativeHumidity;
 
   float value(Quantity quantity, std::size_t column) const {
     const auto found = level.values.find(quantity);
     return found == level.values.end() ? kMissing : found->second[column];
   }
-};
-
-/// A cloudy cell before its fraction is settled; water as grid mean, kg/kg.
-struct PendingCell {
-  std::uint32_t column = 0;
-  CloudCell cell;
-  float liquid = 0, ice = 0, airDensity = 0;
-  float givenFraction = kMissing, derivedFraction = 0;
 };
 
 struct Water {
@@ -48,9 +43,19 @@ float positive(float value) { return value > 0 ? value : 0; }
 /// The value, or missing where no air of this planet could have it.
 float within(float value, float low, float high) { return value >= low && value <= high ? value : kMissing; }
 
-bool hasCloudWater(const Level& level) {
-  return level.has(Quantity::CloudLiquid) || level.has(Quantity::CloudIce) ||
-         level.has(Quantity::CloudCondensate);
+bool isCondensate(Quantity quantity) {
+  return quantity == Quantity::CloudLiquid || quantity == Quantity::CloudIce ||
+         quantity == Quantity::CloudCondensate;
+}
+
+bool tellsHumidCloud(Quantity quantity) {
+  return quantity == Quantity::RelativeHumidity || quantity == Quantity::SpecificHumidity ||
+         quantity == Quantity::CloudFraction;
+}
+
+bool hasAny(const LevelPlan& plan, bool (*wanted)(Quantity)) {
+  return std::any_of(plan.levels.begin(), plan.levels.end(),
+                     [&](const auto& level) { return std::any_of(level.begin(), level.end(), wanted); });
 }
 
 /// Liquid and ice of a cell; condensate in one field is split by temperature.
@@ -67,203 +72,221 @@ struct Borders {
   float base = 0, top = 0;
 };
 
-/// Half-way to the neighbouring levels; where one is missing, as far as to the other side.
-std::optional<Borders> bordersOf(const Slab* below, const Slab& here, const Slab* above, std::size_t column) {
-  const float height = here.heightMeters[column];
-  float down = below ? height - below->heightMeters[column] : kMissing;
-  float up = above ? above->heightMeters[column] - height : kMissing;
+/// Half-way to the neighbouring levels (empty: there is none); where one is missing, as far as to the other
+/// side.
+std::optional<Borders> bordersBetween(const std::vector<float>& below, float height,
+                                      const std::vector<float>& above, std::size_t column) {
+  float down = below.empty() ? kMissing : height - below[column];
+  float up = above.empty() ? kMissing : above[column] - height;
   if (!(down > 0)) down = up;
   if (!(up > 0)) up = down;
   if (!(down > 0)) return std::nullopt;
   return Borders{height - 0.5f * down, height + 0.5f * up};
 }
 
+/// 50 hPa to either side; 300 m where the air is too thin for that.
+Borders bordersAlone(const AirLevel& air, std::size_t column) {
+  constexpr float kPascals = 5000, kMeters = 300;
+  const float height = air.heightMeters[column], pressure = air.pressurePa[column];
+  if (!(pressure > 2 * kPascals)) return {height - kMeters, height + kMeters};
+  const double kelvin = air.temperatureK[column];
+  return {height - static_cast<float>(thickness(pressure + kPascals, pressure, kelvin)),
+          height + static_cast<float>(thickness(pressure, pressure - kPascals, kelvin))};
+}
+
 class Collector {
  public:
-  Collector(const Source& source, const std::vector<std::uint32_t>& cells)
-      : source_(source), surface_(source.surface(cells)) {
+  Collector(const Source& source, const std::vector<std::uint32_t>& cells, const LevelPlan& plan,
+            Derivations& derivations)
+      : surface_(source.surface(cells)),
+        derivations_(derivations),
+        airMaker_(source.grid(), cells, surface_, derivations),
+        hasCondensate_(hasAny(plan, isCondensate)),
+        hasHumidity_(plan.has(Quantity::RelativeHumidity) || plan.has(Quantity::SpecificHumidity)) {
+    if (!hasCondensate_ && !hasAny(plan, tellsHumidCloud))
+      throw base::InputError(source.info().files.empty() ? "input" : source.info().files.front(),
+                             "has neither cloud water nor humidity on any level",
+                             "give model output with cloud water, cloud ice or relative humidity on levels");
     result_.grid = source.grid();
     result_.columns = cells;
     result_.states.assign(cells.size(), unknownState());
-    for (std::size_t c = 0; c < surface_.heightMeters.size(); ++c)
-      result_.states[c].surfaceHeightMeters = surface_.heightMeters[c];
+    precipitableWater_.assign(cells.size(), 0);
   }
 
-  void add(const Level& level) {
-    Slab next = slabOf(level);
-    if (here_) {
-      fillStandardLevels(here_->air, next.air, result_.states);
-      close(&next);
-    }
-    below_ = std::move(here_);
-    here_ = std::move(next);
+  void add(Level level) {
+    if (next_) take(std::move(*next_), &level);
+    next_ = std::move(level);
   }
 
   CloudColumns finish() {
-    if (!cloudWaterSeen_)
-      throw base::InputError(where(), "has no cloud water on any level",
-                             "give model output with cloud water or cloud ice on levels");
-    if (levels_ < 2)
-      throw base::InputError(where(), "has a single level",
-                             "give at least two levels, so that cloud depth is known");
-    close(nullptr);
-    for (ColumnState& state : result_.states) state.kIndexC = kIndex(state);
-    settleFractions();
+    if (next_) take(std::move(*next_), nullptr);
+    if (here_) close({});
+    for (std::size_t c = 0; c < result_.states.size(); ++c) {
+      ColumnState& state = result_.states[c];
+      state.kIndexC = kIndex(state);
+      if (const float ground = airMaker_.groundMeters()[c]; std::isfinite(ground))
+        state.surfaceHeightMeters = ground;
+    }
+    if (hasCondensate_)
+      settleGivenWater(std::move(pending_), hasHumidity_, result_, derivations_);
+    else
+      settleDiagnosedWater(std::move(pending_), precipitableWater_, result_, derivations_);
+    result_.derived = derivations_.lines();
     return std::move(result_);
   }
 
  private:
-  std::string where() const { return source_.info().files.empty() ? "input" : source_.info().files.front(); }
-
-  void require(const Level& level, bool present, std::string_view what) const {
-    if (present) return;
-    throw base::InputError(fmt::format("{}, level {:g} hPa", where(), level.pressurePa / 100),
-                           fmt::format("has cloud water but no {}", what),
-                           "extract that field on the same levels too");
-  }
-
-  Slab slabOf(const Level& level) {
-    Slab slab{levels_++, level, {}, {}, {}};
-    if (hasCloudWater(level)) {
-      cloudWaterSeen_ = true;
-      require(level, level.has(Quantity::Temperature), "temperature");
-      require(level, level.has(Quantity::GeopotentialHeight), "geopotential height");
-      require(level,
-              level.has(Quantity::CloudFraction) || level.has(Quantity::RelativeHumidity) ||
-                  level.has(Quantity::SpecificHumidity),
-              "cloud fraction, nor a humidity to derive it from");
+  /// The level's air is known when the next level is; its cells are when the next level's air is.
+  void take(Level level, const Level* above) {
+    Slab slab{levels_++, std::move(level), {}};
+    slab.air = airMaker_.next(slab.level, above);
+    for (std::size_t c = 0; c < result_.states.size(); ++c)
+      if (float& surface = result_.states[c].surfaceHeightMeters; !std::isfinite(surface))
+        surface = slab.air.heightMeters[c];
+    if (here_) {
+      fillStandardLevels(here_->air, slab.air, result_.states);
+      addPrecipitableWater(here_->air, slab.air);
+      close(slab.air.heightMeters);
+      heightsBelow_ = std::move(here_->air.heightMeters);
     }
-    const std::size_t count = result_.columns.size();
-    for (auto* values : {&slab.air.pressurePa, &slab.air.temperatureK, &slab.air.dewPointK,
-                         &slab.heightMeters, &slab.relativeHumidity})
-      values->resize(count, kMissing);
-    for (std::size_t c = 0; c < count; ++c) fillColumn(slab, c);
-    return slab;
+    here_ = std::move(slab);
   }
 
-  void fillColumn(Slab& slab, std::size_t c) {
-    const float pressure = slab.value(Quantity::Pressure, c);
-    slab.air.pressurePa[c] = pressure > 0 ? pressure : static_cast<float>(slab.level.pressurePa);
-    const float temperature = within(slab.value(Quantity::Temperature, c), 100, 400);
-    slab.air.temperatureK[c] = temperature;
-    slab.relativeHumidity[c] = humidityOf(slab, c);
-    if (slab.relativeHumidity[c] > 0)
-      slab.air.dewPointK[c] = static_cast<float>(dewPoint(temperature, slab.relativeHumidity[c]));
-    const float geopotential = within(slab.value(Quantity::GeopotentialHeight, c), -2000, 100000);
-    slab.heightMeters[c] = static_cast<float>(geometricHeight(geopotential, latitudeOf(c)));
-    float& surface = result_.states[c].surfaceHeightMeters;
-    if (!std::isfinite(surface)) surface = slab.heightMeters[c];
+  void addPrecipitableWater(const AirLevel& below, const AirLevel& above) {
+    for (std::size_t c = 0; c < precipitableWater_.size(); ++c) {
+      const float ground = surface_.pressurePa.empty() ? kMissing : surface_.pressurePa[c];
+      const float lower = ground < below.pressurePa[c] ? ground : below.pressurePa[c];
+      const float vapour = 0.5f * (below.specificHumidity[c] + above.specificHumidity[c]);
+      const float weight = vapour * (lower - above.pressurePa[c]) / 9.80665f;
+      if (weight > 0) precipitableWater_[c] += weight;
+    }
   }
 
-  float humidityOf(const Slab& slab, std::size_t c) const {
-    const float relative = slab.value(Quantity::RelativeHumidity, c);
-    if (std::isfinite(relative)) return std::clamp(relative, 0.0f, 2.0f);
-    const float specific = slab.value(Quantity::SpecificHumidity, c);
-    const float temperature = slab.air.temperatureK[c];
-    if (!std::isfinite(specific) || !std::isfinite(temperature)) return kMissing;
-    return static_cast<float>(positive(specific) /
-                              saturationSpecificHumidity(slab.air.pressurePa[c], temperature));
-  }
-
-  double latitudeOf(std::size_t column) const {
-    return centerOf(result_.grid, result_.columns[column]).latitudeDegrees;
-  }
-
-  bool belowSurface(const Slab& slab, std::size_t c) const {
-    const bool deeper = !surface_.pressurePa.empty() && slab.air.pressurePa[c] > surface_.pressurePa[c];
-    const bool lower = !surface_.heightMeters.empty() && slab.heightMeters[c] < surface_.heightMeters[c];
-    return deeper || lower;
+  bool belowSurface(const AirLevel& air, std::size_t c) const {
+    const bool deeper = !surface_.pressurePa.empty() && air.pressurePa[c] > surface_.pressurePa[c];
+    return deeper || air.heightMeters[c] < airMaker_.groundMeters()[c];
   }
 
   /// Keeps the cloudy cells of the level in the middle.
-  void close(const Slab* above) {
+  void close(const std::vector<float>& heightsAbove) {
     const Slab& here = *here_;
-    if (!hasCloudWater(here.level)) return;
+    const auto tellsCloud = [&](const auto& value) {
+      return hasCondensate_ ? isCondensate(value.first) : tellsHumidCloud(value.first);
+    };
+    if (std::none_of(here.level.values.begin(), here.level.values.end(), tellsCloud)) return;
     for (std::size_t c = 0; c < result_.columns.size(); ++c) {
-      if (!std::isfinite(here.air.temperatureK[c]) || belowSurface(here, c)) continue;
-      const Water water = waterOf(here, c);
-      if (water.total() <= kCloudyMixingRatio || !std::isfinite(water.total())) continue;
-      const auto borders = bordersOf(below_ ? &*below_ : nullptr, here, above, c);
+      if (!std::isfinite(here.air.temperatureK[c]) || belowSurface(here.air, c)) continue;
+      auto pending = hasCondensate_ ? fromWater(here, c) : fromHumidity(here, c);
+      if (!pending) continue;
+      const auto borders = bordersOf(here, heightsAbove, c);
       if (!borders) continue;
-      const float floor = surface_.heightMeters.empty() ? kMissing : surface_.heightMeters[c];
-      const float base = borders->base < floor ? floor : borders->base;
-      if (borders->top > base) keep(here, c, {base, borders->top}, water);
+      pending->cell.baseMeters = borders->base;
+      pending->cell.topMeters = borders->top;
+      pending_.push_back(*pending);
     }
   }
 
-  void keep(const Slab& slab, std::size_t c, const Borders& borders, const Water& water) {
-    const double pressure = slab.air.pressurePa[c], temperature = slab.air.temperatureK[c];
-    const double saturation = saturationSpecificHumidity(pressure, temperature);
-    // Cloud without a known humidity is taken as saturated air.
-    const float humidity = std::isfinite(slab.relativeHumidity[c]) ? slab.relativeHumidity[c] : 1.0f;
-    const float specific = slab.value(Quantity::SpecificHumidity, c);
-    PendingCell pending;
-    pending.column = static_cast<std::uint32_t>(c);
+  std::optional<Borders> bordersOf(const Slab& here, const std::vector<float>& heightsAbove, std::size_t c) {
+    const float height = here.air.heightMeters[c];
+    if (!std::isfinite(height)) return std::nullopt;
+    auto borders = bordersBetween(heightsBelow_, height, heightsAbove, c);
+    if (!borders) {
+      borders = bordersAlone(here.air, c);
+      derivations_.note(Derivation::DepthOfLoneLevel);
+    }
+    const float ground = airMaker_.groundMeters()[c];
+    if (borders->base < ground) borders->base = ground;
+    if (!hasCondensate_) cutToModelClouds(c, *borders);
+    return borders->top > borders->base ? borders : std::nullopt;
+  }
+
+  /// The model's own base and top are believed where they stand above the ground and in their order.
+  void cutToModelClouds(std::size_t c, Borders& borders) {
+    const float known = airMaker_.groundMeters()[c];
+    const float ground = std::isfinite(known) ? known : result_.states[c].surfaceHeightMeters;
+    const auto believed = [&](const std::vector<float>& heights) {
+      return heights.empty() || !(heights[c] >= ground) ? kMissing : heights[c];
+    };
+    const float base = believed(surface_.cloudBaseMeters), top = believed(surface_.cloudTopMeters);
+    if (base >= top) return;
+    const Borders before = borders;
+    if (base > borders.base) borders.base = base;
+    if (top < borders.top) borders.top = top;
+    if (borders.base != before.base || borders.top != before.top)
+      derivations_.note(Derivation::WaterWithinModelClouds);
+  }
+
+  /// Nothing where the cell is clear.
+  std::optional<PendingCell> fromWater(const Slab& slab, std::size_t c) {
+    const Water water = waterOf(slab, c);
+    if (water.total() <= kCloudyMixingRatio || !std::isfinite(water.total())) return std::nullopt;
+    PendingCell pending = pendingAt(slab, c);
     pending.liquid = water.liquid;
     pending.ice = water.ice;
-    pending.airDensity = static_cast<float>(
-        airDensity(pressure, temperature, std::isfinite(specific) ? specific : humidity * saturation));
-    pending.givenFraction = std::clamp(slab.value(Quantity::CloudFraction, c), 0.0f, 1.0f);
-    pending.derivedFraction = static_cast<float>(cloudFractionXuRandall(humidity, water.total(), saturation));
+    const double saturation = saturationSpecificHumidity(slab.air.pressurePa[c], slab.air.temperatureK[c]);
+    pending.derivedFraction =
+        static_cast<float>(cloudFractionXuRandall(pending.cell.relativeHumidity, water.total(), saturation));
+    if (!slab.level.has(Quantity::CloudLiquid) && !slab.level.has(Quantity::CloudIce))
+      derivations_.note(Derivation::PhaseFromTemperature);
+    return pending;
+  }
+
+  std::optional<PendingCell> fromHumidity(const Slab& slab, std::size_t c) const {
+    const float pressure = slab.air.pressurePa[c];
+    if (!(pressure >= kLeastHumidCloudPa)) return std::nullopt;
+    PendingCell pending = pendingAt(slab, c);
+    const double critical = criticalRelativeHumidity(pressure, airMaker_.groundPressurePa()[c]);
+    pending.derivedFraction =
+        static_cast<float>(cloudFractionSundqvist(slab.air.relativeHumidity[c], critical));
+    const bool given = std::isfinite(pending.givenFraction);
+    const float fraction = given ? pending.givenFraction : pending.derivedFraction;
+    return fraction < kLeastFraction ? std::nullopt : std::optional(pending);
+  }
+
+  PendingCell pendingAt(const Slab& slab, std::size_t c) const {
+    const double pressure = slab.air.pressurePa[c], temperature = slab.air.temperatureK[c];
+    // Cloud without a known humidity is taken as saturated air.
+    const bool known = std::isfinite(slab.air.relativeHumidity[c]);
     const auto wind = [&](Quantity quantity) {
       const float value = within(slab.value(quantity, c), -200, 200);
       return std::isfinite(value) ? value : 0.0f;
     };
-    pending.cell = {.level = slab.number,
-                    .baseMeters = borders.base,
-                    .topMeters = borders.top,
-                    .temperatureK = slab.air.temperatureK[c],
-                    .relativeHumidity = humidity,
-                    .windEast = wind(Quantity::WindEast),
-                    .windNorth = wind(Quantity::WindNorth),
-                    .pressurePa = slab.air.pressurePa[c]};
-    result_.phaseDerived |= !slab.level.has(Quantity::CloudLiquid) && !slab.level.has(Quantity::CloudIce);
-    pending_.push_back(pending);
+    PendingCell pending;
+    pending.column = static_cast<std::uint32_t>(c);
+    pending.airDensity = static_cast<float>(
+        airDensity(pressure, temperature,
+                   known ? slab.air.specificHumidity[c] : saturationSpecificHumidity(pressure, temperature)));
+    pending.givenFraction = std::clamp(slab.value(Quantity::CloudFraction, c), 0.0f, 1.0f);
+    pending.cell.level = slab.number;
+    pending.cell.temperatureK = slab.air.temperatureK[c];
+    pending.cell.relativeHumidity = known ? slab.air.relativeHumidity[c] : 1.0f;
+    pending.cell.windEast = wind(Quantity::WindEast);
+    pending.cell.windNorth = wind(Quantity::WindNorth);
+    pending.cell.pressurePa = slab.air.pressurePa[c];
+    return pending;
   }
 
-  /// Settles fraction and in-cloud extinction, and sorts the cells by column.
-  void settleFractions() {
-    const bool fractionGiven = std::any_of(pending_.begin(), pending_.end(), [](const PendingCell& pending) {
-      return pending.givenFraction > 0;
-    });
-    std::erase_if(pending_, [&](PendingCell& pending) { return !settle(pending, fractionGiven); });
-    result_.start.assign(result_.columns.size() + 1, 0);
-    for (const PendingCell& pending : pending_) ++result_.start[pending.column + 1];
-    for (std::size_t c = 0; c < result_.columns.size(); ++c) result_.start[c + 1] += result_.start[c];
-    std::vector<std::uint32_t> next(result_.start.begin(), result_.start.end() - 1);
-    result_.cells.resize(pending_.size());
-    for (const PendingCell& pending : pending_) result_.cells[next[pending.column]++] = pending.cell;
-  }
-
-  /// False where the cell turns out to be clear.
-  bool settle(PendingCell& pending, bool fractionGiven) {
-    const bool given = fractionGiven && std::isfinite(pending.givenFraction);
-    const float fraction = given ? pending.givenFraction : pending.derivedFraction;
-    if (fraction < kLeastFraction) return false;
-    result_.fractionDerived |= !given;
-    CloudCell& cell = pending.cell;
-    cell.fraction = std::min(1.0f, std::max(fraction, (pending.liquid + pending.ice) / kMostInCloudWater));
-    const double perFraction = pending.airDensity / cell.fraction;
-    cell.liquidExtinctionPerMeter = static_cast<float>(liquidExtinction(pending.liquid * perFraction));
-    cell.iceExtinctionPerMeter =
-        static_cast<float>(iceExtinction(pending.ice * perFraction, cell.temperatureK));
-    return true;
-  }
-
-  const Source& source_;
   Surface surface_;
+  Derivations& derivations_;
+  AirMaker airMaker_;
+  bool hasCondensate_, hasHumidity_;
   CloudColumns result_;
-  std::optional<Slab> below_, here_;
+  std::optional<Level> next_;
+  std::optional<Slab> here_;
+  std::vector<float> heightsBelow_, precipitableWater_;
   std::vector<PendingCell> pending_;
   std::uint32_t levels_ = 0;
-  bool cloudWaterSeen_ = false;
 };
 
 }  // namespace
 
 CloudColumns collectColumns(const Source& source, const std::vector<std::uint32_t>& cells) {
-  Collector collector(source, cells);
-  source.visitLevels(cells, [&](const Level& level) { collector.add(level); });
+  Derivations derivations;
+  const LevelPlan plan = planOf(source, cells);
+  Collector collector(source, cells, plan, derivations);
+  GapFiller gaps(
+      plan, [&](Level level) { collector.add(std::move(level)); }, derivations);
+  source.visitLevels(cells, [&](const Level& level) { gaps.add(level); });
   return collector.finish();
 }
 

@@ -4,14 +4,10 @@
 #include <array>
 #include <vector>
 
+#include "field/air.hpp"
 #include "field/cloud_columns.hpp"
 
 namespace cloudgen::field {
-
-/// What a level says of every column, for the stability of the air; NaN where it is missing.
-struct AirLevel {
-  std::vector<float> pressurePa, temperatureK, dewPointK;
-};
 
 /// Fills temperatures and dew points at 850, 700 and 500 hPa from two levels (the lower first) that enclose
 /// them, linearly in the logarithm of pressure; leaves what they do not enclose.

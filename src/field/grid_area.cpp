@@ -48,6 +48,15 @@ double sharedLongitudes(double west, double width, const base::GeoBox& box) {
   return std::max(0.0, std::min(to, box.width()) - from) + std::max(0.0, std::min(to - 360, box.width()));
 }
 
+/// 1 within the box, 0 outside, a half on its border, so that the shares of boxes side by side add up.
+double weightIn(const base::GeoBox& box, const GeoPoint& place) {
+  if (!isPlace(place) || !box.contains(place.longitudeDegrees, place.latitudeDegrees)) return 0;
+  const auto near = [](double a, double b) { return std::abs(base::wrappedLongitude(a - b)) < kSameDegrees; };
+  const bool onBorder =
+      box.width() < 360 && (near(place.longitudeDegrees, box.west) || near(place.longitudeDegrees, box.east));
+  return onBorder ? 0.5 : 1;
+}
+
 }  // namespace
 
 double cellAreaSquareMeters(const Grid& grid, std::uint32_t cell) {
@@ -59,11 +68,11 @@ double cellAreaSquareMeters(const Grid& grid, std::uint32_t cell) {
     if (base::isLongitudeLatitude(grid.crs) || projectionOf(grid, row)->inDegrees())
       return kSquare * std::abs(stepOfRow(grid, row)) * zoneArea(rowInterval(grid, row));
   }
-  if (!counts(grid, cell)) return 0;
+  if (!grid.southCrs.empty() && !counts(grid, cell)) return 0;
   // Sides under 100 km are as good as straight; longer ones bend, and their pieces do not.
-  constexpr double kStraight = 2.5e-4;
+  constexpr double kStraight = 2.5e-4, kLarge = 1e-2;
   const double coarse = polygonArea(grid, cell, 1);
-  const double area = coarse < kStraight ? coarse : polygonArea(grid, cell, 8);
+  const double area = coarse < kStraight ? coarse : polygonArea(grid, cell, coarse < kLarge ? 8 : 64);
   return std::isfinite(area) ? kSquare * area : 0;
 }
 
@@ -84,13 +93,10 @@ double shareInside(const Grid& grid, std::uint32_t cell, const base::GeoBox& box
     return relationOf(*cap, box) == Relation::Inside ? 1 : 0;
   constexpr int kSamples = 8;
   const auto along = [](int i) { return (i + 0.5) / kSamples; };
-  int found = 0;
+  double found = 0;
   for (int i = 0; i < kSamples; ++i)
-    for (int k = 0; k < kSamples; ++k) {
-      const GeoPoint place = pointIn(grid, cell, along(i), along(k));
-      if (isPlace(place) && box.contains(place.longitudeDegrees, place.latitudeDegrees)) ++found;
-    }
-  if (found > kSamples || !cap) return static_cast<double>(found) / (kSamples * kSamples);
+    for (int k = 0; k < kSamples; ++k) found += weightIn(box, pointIn(grid, cell, along(i), along(k)));
+  if (found > kSamples || !cap) return found / (kSamples * kSamples);
   // A box much smaller than the cell: the samples are taken in the box.
   const auto part = partWithin(box, *cap);
   if (!part) return 0;

@@ -11,8 +11,14 @@ namespace {
 
 /// Grows with places that follow one another: longitudes are told as on a walk, without jumps.
 struct Walk {
-  double west = 1e300, east = -1e300, south = 90, north = -90, longitude = 0;
+  double west = 1e300, east = -1e300, south = 90, north = -90, first = 0, longitude = 0;
   bool begun = false, broken = false;
+
+  /// Goes on from a place that does not count itself.
+  void jumpTo(const GeoPoint& place) {
+    longitude = place.longitudeDegrees;
+    begun = true;
+  }
 
   void add(const GeoPoint& place) {
     if (!isPlace(place)) {
@@ -21,6 +27,7 @@ struct Walk {
     }
     longitude = begun ? longitude + base::wrappedLongitude(place.longitudeDegrees - longitude)
                       : place.longitudeDegrees;
+    if (!begun) first = longitude;
     begun = true;
     west = std::min(west, longitude);
     east = std::max(east, longitude);
@@ -52,23 +59,73 @@ Walk walkAround(const Grid& grid) {
   return walk;
 }
 
-/// To and fro through all cells, where the border is not on the Earth or the grid goes around it.
+/// Corners of a cell that are on the Earth.
+void addCorners(const Grid& grid, int column, int row, Walk& walk) {
+  for (const double v : {0.0, 1.0})
+    for (const double u : {0.0, 1.0}) walk.add(placeAt(grid, column, u, row, v));
+}
+
+/// To and fro through all cells, for grids around the Earth.
 Walk walkThrough(const Grid& grid) {
   Walk walk;
   for (int row = 0; row < grid.rows; ++row) {
     const int columns = columnsOf(grid, row);
-    for (int i = 0; i < columns; ++i) {
-      const int column = row % 2 == 0 ? i : columns - 1 - i;
-      for (const double v : {0.0, 1.0})
-        for (const double u : {0.0, 1.0}) walk.add(placeAt(grid, column, u, row, v));
-    }
+    for (int i = 0; i < columns; ++i) addCorners(grid, row % 2 == 0 ? i : columns - 1 - i, row, walk);
   }
   return walk;
 }
 
-base::GeoBox boxOf(const Walk& walk, bool northPole, bool southPole) {
-  base::GeoBox box{-180, southPole ? -90 : walk.south, 180, northPole ? 90 : walk.north};
-  if (northPole || southPole || walk.east - walk.west >= 360 - kSameDegrees) return box;
+/// Along the first and the last cells on the Earth of all rows and columns: the limb of a disc.
+Walk walkAlongLimb(const Grid& grid) {
+  Walk walk;
+  const auto onEarth = [&](int column, int row) {
+    return isPlace(centerOf(grid, cellAt(grid, column, row)));
+  };
+  // All longitudes are told from the middle of the disc.
+  const GeoPoint middle = centerOf(grid, cellAt(grid, columnsOf(grid, grid.rows / 2) / 2, grid.rows / 2));
+  const auto look = [&](int column, int row) {
+    if (isPlace(middle)) walk.jumpTo(middle);
+    addCorners(grid, column, row, walk);
+  };
+  for (int row = 0; row < grid.rows; ++row) {
+    int first = 0, last = columnsOf(grid, row) - 1;
+    while (first <= last && !onEarth(first, row)) ++first;
+    while (last > first && !onEarth(last, row)) --last;
+    if (first > last) continue;
+    look(first, row);
+    look(last, row);
+  }
+  if (!grid.reducedRows.empty()) return walk;
+  for (int column = 0; column < grid.columns; ++column) {
+    int first = 0, last = grid.rows - 1;
+    while (first <= last && !onEarth(column, first)) ++first;
+    while (last > first && !onEarth(column, last)) --last;
+    if (first > last) continue;
+    look(column, first);
+    look(column, last);
+  }
+  return walk;
+}
+
+struct Poles {
+  bool north = false, south = false;
+};
+
+/// Which poles lie inside. The border of a curvilinear grid winds around the one that does.
+Poles polesInside(const Grid& grid, const Walk& walk) {
+  if (!grid.centers.empty() && !grid.wrapsLongitude) {
+    if (walk.broken || std::abs(walk.longitude - walk.first) < 180) return {};
+    const GeoPoint middle = centerOf(grid, grid.index(grid.columns / 2, grid.rows / 2));
+    const bool north = middle.latitudeDegrees > 0.5 * (walk.south + walk.north);
+    return {north, !north};
+  }
+  const CellFinder finder(grid);
+  return {finder.at({0, 90}).has_value(), finder.at({0, -90}).has_value()};
+}
+
+base::GeoBox boxOf(const Walk& walk, const Poles& poles) {
+  base::GeoBox box{-180, poles.south ? -90 : walk.south, 180, poles.north ? 90 : walk.north};
+  if (poles.north || poles.south || walk.east - walk.west >= 360 - kSameDegrees) return box;
   box.west = base::wrappedLongitude(walk.west);
   box.east = base::wrappedLongitude(walk.east);
   if (box.east == -180) box.east = 180;
@@ -105,11 +162,9 @@ base::GeoBox geographicExtent(const Grid& grid) {
 base::GeoBox extent(const Grid& grid) {
   if (isGeographic(grid)) return geographicExtent(grid);
   if (!grid.southCrs.empty()) return {-180, -90, 180, 90};
-  const CellFinder finder(grid);
-  const bool northPole = finder.at({0, 90}).has_value(), southPole = finder.at({0, -90}).has_value();
-  Walk walk = grid.wrapsLongitude ? walkThrough(grid) : walkAround(grid);
-  if (walk.broken && !grid.wrapsLongitude) walk = walkThrough(grid);
-  return boxOf(walk, northPole, southPole);
+  const Walk border = grid.wrapsLongitude ? walkThrough(grid) : walkAround(grid);
+  const Poles poles = polesInside(grid, border);
+  return boxOf(border.broken && !grid.wrapsLongitude ? walkAlongLimb(grid) : border, poles);
 }
 
 }  // namespace cloudgen::field

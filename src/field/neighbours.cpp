@@ -55,28 +55,53 @@ void appendLattice(const Grid& grid, std::uint32_t cell, std::vector<std::uint32
     }
 }
 
-/// Across the equator of two hemispheres: cells of the other half, mirrored at the seam, whose centre is no
-/// further away than that of a diagonal neighbour would be.
+/// Half the sum of a cell's sides, in radians.
+double sideOf(const Grid& grid, std::uint32_t cell) {
+  const glm::dvec2 sides = cellSidesMeters(grid, cell);
+  return 0.5 * (sides.x + sides.y) / kEarthRadiusMeters;
+}
+
+/// True of cells of two hemispheres that count but have a cell beside them, beyond the equator, that does
+/// not.
+bool atTheSeam(const Grid& grid, std::uint32_t cell) {
+  const int rows = latticeRows(grid), half = grid.row(cell) / rows;
+  for (const auto& [right, down] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+    const int column = grid.column(cell) + right, row = grid.row(cell) + down;
+    const bool within = column >= 0 && column < grid.columns && row >= half * rows && row < (half + 1) * rows;
+    if (!within || !counts(grid, grid.index(column, row))) return counts(grid, cell);
+  }
+  return false;
+}
+
+/// Across the equator of two hemispheres the halves mirror each other: cells at the seam are neighbours of
+/// those that face them, and of those beside these.
 void appendMirrored(const Grid& grid, std::uint32_t cell, std::vector<std::uint32_t>& found) {
-  constexpr double kReach = 1.5;
+  constexpr double kDiagonal = 1.5;
   const GeoPoint center = centerOf(grid, cell);
-  const auto sideOf = [&](std::uint32_t one) {
-    const glm::dvec2 sides = cellSidesMeters(grid, one);
-    return 0.5 * (sides.x + sides.y) / kEarthRadiusMeters;
-  };
-  const double side = sideOf(cell);
-  if (std::abs(center.latitudeDegrees) * kDegree > 2 * kReach * side) return;
+  const double side = sideOf(grid, cell);
+  if (std::abs(center.latitudeDegrees) * kDegree > 2 * side || !atTheSeam(grid, cell)) return;
   const int rows = latticeRows(grid), other = grid.row(cell) < rows ? 1 : 0;
-  const auto middle = latticeCellOfHalf(grid, other, center);
-  if (!middle) return;
-  for (int row = grid.row(*middle) - 3; row <= grid.row(*middle) + 3; ++row)
-    for (int column = grid.column(*middle) - 3; column <= grid.column(*middle) + 3; ++column) {
+  const auto facing = latticeCellOfHalf(grid, other, {center.longitudeDegrees, 0});
+  if (!facing) return;
+  constexpr int kAround = 3;
+  for (int row = grid.row(*facing) - kAround; row <= grid.row(*facing) + kAround; ++row)
+    for (int column = grid.column(*facing) - kAround; column <= grid.column(*facing) + kAround; ++column) {
       if (row < other * rows || row >= (other + 1) * rows || column < 0 || column >= grid.columns) continue;
       const std::uint32_t next = grid.index(column, row);
-      if (!counts(grid, next)) continue;
-      const double reach = kReach * 0.5 * (side + sideOf(next));
-      if (angleBetween(vectorOf(center), vectorOf(centerOf(grid, next))) < reach) found.push_back(next);
+      const double along =
+          std::abs(base::wrappedLongitude(centerOf(grid, next).longitudeDegrees - center.longitudeDegrees));
+      if (along * kDegree < kDiagonal * 0.5 * (side + sideOf(grid, next)) && atTheSeam(grid, next))
+        found.push_back(next);
     }
+}
+
+/// False where no cell around can lie beyond the equator of its hemisphere, nor the cell itself.
+bool nearTheEquator(const Grid& grid, std::uint32_t cell) {
+  if (grid.southCrs.empty()) return false;
+  const double pole = grid.row(cell) < latticeRows(grid) ? 1 : -1;
+  // Cells are as long as their step at 60 degrees, and shorter towards the equator.
+  const double around = 3 * std::max(std::abs(grid.stepX), std::abs(grid.stepY)) / kEarthRadiusMeters;
+  return !(pole * centerOf(grid, cell).latitudeDegrees * kDegree > around);
 }
 
 }  // namespace
@@ -87,7 +112,7 @@ std::vector<std::uint32_t> neighbours(const Grid& grid, std::uint32_t cell) {
     appendReduced(grid, cell, found);
   else
     appendLattice(grid, cell, found);
-  if (!grid.southCrs.empty()) {
+  if (nearTheEquator(grid, cell)) {
     if (!counts(grid, cell)) return {};
     std::erase_if(found, [&](std::uint32_t next) { return !counts(grid, next); });
     appendMirrored(grid, cell, found);

@@ -112,8 +112,9 @@ class Source {
   virtual Telling telling() const = 0;
 
   /// Calls visit for each level from the ground upwards, with the values at `cells` (indices of the grid).
-  /// Winds blow towards true east and north. Nothing is visited by sources of layers. Throws InputError on
-  /// damaged data.
+  /// Winds blow towards true east and north. With no cells the levels come without values, so that it costs
+  /// nothing to learn which quantities are on which level. Nothing is visited by sources of layers. Throws
+  /// InputError on damaged data.
   virtual void visitLevels(std::span<const std::uint32_t> cells,
                            const std::function<void(const Level&)>& visit) const = 0;
 

@@ -11,6 +11,9 @@
 #include "input/cdfs/cdfs.hpp"
 #include "input/described/described.hpp"
 #include "input/grib/grib.hpp"
+#include "input/metar/metar.hpp"
+#include "input/netcdf/netcdf.hpp"
+#include "input/weather_code/weather_code.hpp"
 
 namespace cloudgen::input {
 namespace {
@@ -42,7 +45,11 @@ struct Reader {
 constexpr std::array kReaders{
     Reader{"CDFS II", isCdfsFile, openCdfs},
     Reader{"described sky", byContent<isDescribedSky>, openDescribedSky},
+    Reader{"weather codes", byContent<isWeatherCode>, openWeatherCode},
+    // Before GRIB, whose name stands in files made by cfgrib.
+    Reader{"NetCDF", byContent<isNetcdf>, openNetcdf},
     Reader{"GRIB", byContent<isGrib>, openGrib},
+    Reader{"METAR", byContent<isMetar>, openMetar},
 };
 
 std::string firstBytesOf(const std::filesystem::path& file) {
@@ -99,13 +106,12 @@ std::vector<Known> knownAs(const std::filesystem::path& path) {
   const Candidate candidate = candidateOf(path);
   if (const Reader* reader = readerOf(candidate)) return {{path, reader}};
   if (candidate.isFolder) return knownIn(path);
-  const std::string_view bytes = candidate.firstBytes;
-  if (bytes.empty()) throw base::InputError(path.string(), "is empty", "fetch or make the file again");
-  const bool netcdf = bytes.starts_with("CDF") || bytes.starts_with("\x89HDF");
+  if (candidate.firstBytes.empty())
+    throw base::InputError(path.string(), "is empty", "fetch or make the file again");
   throw base::InputError(
-      path.string(),
-      netcdf ? "is a NetCDF file, which is not read yet" : "is of no format that cloudgen reads",
-      "give GRIB1 or GRIB2 model output, WWMCA cloud analyses, or a described sky (*.sky.json)");
+      path.string(), "is of no format that cloudgen reads",
+      "give GRIB or NetCDF model output, WWMCA cloud analyses, METAR reports, weather codes "
+      "(JSON) or a described sky (*.sky.json)");
 }
 
 }  // namespace

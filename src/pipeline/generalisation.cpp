@@ -48,6 +48,12 @@ double coveredSquareMeters(const shape::Recipe& recipe, double widthMeters) {
   return spacing * spacing;
 }
 
+double countedWidthMeters(const shape::Recipe& recipe, double coversSquareMeters) {
+  const double one = coveredSquareMeters(recipe, 1.0);
+  return std::clamp<double>(std::sqrt(coversSquareMeters / one), 0.75 * recipe.widthMeters.low,
+                            2.0 * recipe.widthMeters.high);
+}
+
 double meanWidthMeters(const Generalisation& general, const shape::Recipe& recipe, double depthMeters) {
   const double natural = naturalWidthMeters(recipe, depthMeters);
   return std::min(natural * general.enlargement, std::max(natural, general.widestMeters));
@@ -69,6 +75,10 @@ Generalisation generalise(const field::Grid& grid, std::span<const field::Layer>
     double puffs = 0;
     for (std::size_t i = 0; i < layers.size(); ++i) {
       const shape::Recipe& recipe = options.recipes.of(layers[i].genus);
+      if (layers[i].cloudCount > 0) {
+        puffs += fewestPuffs(recipe) * layers[i].cloudCount * field::shareInside(grid, layers[i].cell, box);
+        continue;
+      }
       puffs += fewestPuffs(recipe) * areas[i] /
                coveredSquareMeters(recipe, meanWidthMeters(out, recipe, layers[i].depthMeters()));
     }

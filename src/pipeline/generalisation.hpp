@@ -28,10 +28,15 @@ double naturalWidthMeters(const shape::Recipe& recipe, double depthMeters);
 /// the spacing at which elements overlap to an even cover.
 double coveredSquareMeters(const shape::Recipe& recipe, double widthMeters);
 
+/// Mean width of clouds of which each covers so much: the inverse of coveredSquareMeters, within three
+/// quarters of the recipe's least and twice its greatest width. For layers whose source counts their clouds.
+double countedWidthMeters(const shape::Recipe& recipe, double coversSquareMeters);
+
 /// Mean width of a layer's clouds, enlarged.
 double meanWidthMeters(const Generalisation& general, const shape::Recipe& recipe, double depthMeters);
 
 /// Enlargement and level of detail such that all clouds of the layers inside the box take about `maxPuffs`.
+/// Clouds that the source counts are never enlarged: they stay as many.
 Generalisation generalise(const field::Grid& grid, std::span<const field::Layer> layers,
                           const Options& options, const base::GeoBox& box);
 

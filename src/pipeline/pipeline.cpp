@@ -28,11 +28,7 @@ std::vector<field::Layer> layersFrom(const field::Source& source, const Cells& c
   }
   const field::CloudColumns columns = field::collectColumns(source, cells);
   outcome.cells = columns.cells.size();
-  if (columns.fractionDerived)
-    outcome.derived.emplace_back("cloud fraction", "Xu & Randall 1996 from relative humidity and condensate");
-  if (columns.phaseDerived)
-    outcome.derived.emplace_back("liquid and ice",
-                                 "condensate split by temperature: all liquid from 0 C, all ice to -23 C");
+  outcome.derived = columns.derived;
   outcome.derived.emplace_back("cover of a layer", "maximum overlap of its levels");
   outcome.derived.emplace_back("genus", "rules in the order of CDFS II: signature, extent, height");
   return locateLayers(columns);

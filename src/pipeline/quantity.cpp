@@ -82,6 +82,54 @@ std::vector<Candidate> lattice(const field::Grid& grid, const Layer& layer, doub
   return candidates;
 }
 
+/// Places by chance that keep `spacingMeters` from each other (dart throwing), as many of `count` as 100
+/// throws a cloud find room for.
+std::vector<Candidate> spaced(const field::Grid& grid, const Layer& layer, int count, double spacingMeters,
+                              std::uint64_t seed) {
+  const glm::dvec2 sides = field::cellSidesMeters(grid, layer.cell);
+  std::vector<Candidate> candidates;
+  std::vector<glm::dvec2> taken;
+  for (int i = 0; i < 100 * count && static_cast<int>(candidates.size()) < count; ++i) {
+    base::RandomStream stream(seed, layer.cell, base::Purpose::CloudPlace,
+                              layerItem(layer, static_cast<std::uint64_t>(i) + 1));
+    const double u = stream.uniform(), v = stream.uniform();
+    const glm::dvec2 place(u * sides.x, v * sides.y);
+    const auto tooNear = [&](const glm::dvec2& other) {
+      return std::hypot(place.x - other.x, place.y - other.y) < spacingMeters;
+    };
+    if (std::any_of(taken.begin(), taken.end(), tooNear)) continue;
+    taken.push_back(place);
+    candidates.push_back({field::pointIn(grid, layer.cell, u, v), 0, static_cast<std::uint32_t>(i)});
+  }
+  return candidates;
+}
+
+/// A jittered lattice of exactly count / fraction places: rows may differ by one place.
+std::vector<Candidate> exactLattice(const field::Grid& grid, const Layer& layer, double widthMeters,
+                                    std::uint64_t seed) {
+  const glm::dvec2 sides = field::cellSidesMeters(grid, layer.cell);
+  const auto places =
+      std::max<long>(layer.cloudCount, std::lround(layer.cloudCount / std::max(layer.fraction, 0.01f)));
+  const double aspect = std::clamp(sides.x / sides.y, 0.05, 20.0);
+  const auto rows = std::clamp<long>(std::lround(std::sqrt(static_cast<double>(places) / aspect)), 1, places);
+  std::vector<Candidate> candidates;
+  for (long row = 0; row < rows; ++row) {
+    const long first = row * places / rows, end = (row + 1) * places / rows;
+    for (long number = first; number < end; ++number) {
+      base::RandomStream stream(seed, layer.cell, base::Purpose::CloudPlace,
+                                layerItem(layer, static_cast<std::uint64_t>(number) + 1));
+      const double u = (static_cast<double>(number - first) + 0.5 + 0.55 * (stream.uniform() - 0.5)) /
+                       static_cast<double>(end - first),
+                   v = (static_cast<double>(row) + 0.5 + 0.55 * (stream.uniform() - 0.5)) /
+                       static_cast<double>(rows);
+      Candidate candidate{field::pointIn(grid, layer.cell, u, v), 0, static_cast<std::uint32_t>(number)};
+      candidate.rank = unevenness(candidate.place, widthMeters, layer, seed) + 0.03 * stream.gaussian();
+      candidates.push_back(candidate);
+    }
+  }
+  return candidates;
+}
+
 /// Keeps the `count` candidates of the highest rank, in the order of their numbers.
 void keepHighest(std::vector<Candidate>& candidates, size_t count) {
   if (candidates.size() <= count) return;
@@ -95,6 +143,22 @@ void keepHighest(std::vector<Candidate>& candidates, size_t count) {
             [](const Candidate& a, const Candidate& b) { return a.number < b.number; });
 }
 
+/// The places of a layer whose source counts its clouds. Without a least distance separate clouds stand in
+/// clusters a few widths across.
+std::vector<Candidate> countedPlaces(const field::Grid& grid, const Layer& layer, const shape::Recipe& recipe,
+                                     double area, std::uint64_t seed) {
+  const double width = countedWidthMeters(recipe, area / layer.cloudCount);
+  std::vector<Candidate> candidates;
+  if (recipe.sheet)
+    candidates = exactLattice(grid, layer, width, seed);
+  else if (layer.spacingMeters > 0)
+    candidates = spaced(grid, layer, layer.cloudCount, layer.spacingMeters, seed);
+  else
+    candidates = scattered(grid, layer, layer.cloudCount, 0.4 * width, seed);
+  keepHighest(candidates, static_cast<std::size_t>(layer.cloudCount));
+  return candidates;
+}
+
 }  // namespace
 
 void placeClouds(const field::Grid& grid, const Options& options, const Generalisation& general,
@@ -106,17 +170,23 @@ void placeClouds(const field::Grid& grid, const Options& options, const Generali
     const double area = layer.fraction * field::cellAreaSquareMeters(grid, layer.cell);
     const double expected = area / coveredSquareMeters(recipe, width);
     std::vector<Candidate> candidates;
-    double mean = expected;
-    if (recipe.sheet) {
-      candidates = lattice(grid, layer, expected, width, options.seed);
-      mean = layer.fraction * static_cast<double>(candidates.size());
-    }
-    const int count = wholeCount(mean, options.seed, layer);
-    if (!recipe.sheet) candidates = scattered(grid, layer, count, width, options.seed);
-    keepHighest(candidates, static_cast<size_t>(count));
     // What one cloud must cover so that all of them cover fraction times area; where a cell has a cloud only
     // now and then, those of many cells do.
-    const double covers = mean < 1 ? area / mean : area / count;
+    double covers = 0;
+    if (layer.cloudCount > 0) {
+      candidates = countedPlaces(grid, layer, recipe, area, options.seed);
+      covers = area / static_cast<double>(std::max<std::size_t>(candidates.size(), 1));
+    } else {
+      double mean = expected;
+      if (recipe.sheet) {
+        candidates = lattice(grid, layer, expected, width, options.seed);
+        mean = layer.fraction * static_cast<double>(candidates.size());
+      }
+      const int count = wholeCount(mean, options.seed, layer);
+      if (!recipe.sheet) candidates = scattered(grid, layer, count, width, options.seed);
+      keepHighest(candidates, static_cast<size_t>(count));
+      covers = mean < 1 ? area / mean : area / count;
+    }
     for (const Candidate& candidate : candidates) {
       if (!box.contains(candidate.place.longitudeDegrees, candidate.place.latitudeDegrees)) continue;
       field::Cloud cloud;

@@ -12,6 +12,9 @@ namespace cloudgen::pipeline {
 /// stand on a jittered lattice whose emptiest places, by the same noise, stay free. Every place depends only
 /// on seed, cell, layer and number: a smaller box gives the same clouds. Appends to table.clouds those whose
 /// anchor lies in the box.
+/// Where the source counts the clouds of a cell (Layer::cloudCount), exactly so many stand in it, each for
+/// its share of fraction times area: at least spacingMeters from each other within the cell (fewer where 100
+/// throws a cloud find no room), or, without a spacing, in clusters; those of sheets on the lattice.
 void placeClouds(const field::Grid& grid, const Options& options, const Generalisation& general,
                  const base::GeoBox& box, field::CloudTable& table);
 

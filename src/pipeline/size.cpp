@@ -34,7 +34,8 @@ void sizeClouds(const Options& options, const Generalisation& general, field::Cl
     const shape::Recipe& recipe = options.recipes.of(layer.genus);
     base::RandomStream stream(options.seed, layer.cell, base::Purpose::CloudSize,
                               (static_cast<std::uint64_t>(layer.ordinal) << 40) | cloud.ordinal);
-    const double meanWidth = meanWidthMeters(general, recipe, layer.depthMeters());
+    const double meanWidth = layer.cloudCount > 0 ? countedWidthMeters(recipe, cloud.coversSquareMeters)
+                                                  : meanWidthMeters(general, recipe, layer.depthMeters());
     double width = meanWidth;
     double depth = layer.depthMeters();
     if (!recipe.sheet) {

@@ -41,6 +41,8 @@ struct Library {
 inline const std::array kLibraries{
     Library{"eccodes", {"src/input/grib/"}},
     Library{"grib_api", {}},
+    Library{"netcdf", {"src/input/netcdf/"}},
+    Library{"udunits2", {"src/input/netcdf/"}},
     Library{"libxml/", {"src/check/xsd/"}},
     Library{"tiny_gltf", {"src/writer/gltf/glb_file.cpp"}},
     Library{"OpenImageIO/", {"src/image/"}},

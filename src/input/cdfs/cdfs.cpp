@@ -71,7 +71,8 @@ void refuseTwice(const Half& half) {
   std::map<std::pair<GribColumn, std::size_t>, const GribField*> seen;
   for (const GribField& field : half.grib)
     if (const auto [first, added] = seen.try_emplace({field.column, field.layer}, &field); !added)
-      throw base::InputError(field.location.name(), fmt::format("repeats {}", first->second->location.name()),
+      throw base::InputError(field.head.location.name(),
+                             fmt::format("repeats {}", first->second->head.location.name()),
                              "give each file once");
 }
 
@@ -116,17 +117,17 @@ class Reading {
       mesh = own;
     }
     analysis_.mesh = *mesh;
-    const auto isGrib2 = [](const GribField& field) { return field.location.edition == 2; };
+    const auto isGrib2 = [](const GribField& field) { return field.head.location.edition == 2; };
     for (const auto& [half, files] : hour_)
       if (std::any_of(files.grib.begin(), files.grib.end(), isGrib2)) analysis_.table = TypeTable::Wmo;
   }
 
   void readGrib(const Half& files, std::size_t number, GribReader& reader) {
     for (const GribField& field : files.grib) {
-      addFile(field.location.file);
-      formats_.insert(field.location.edition == 1 ? "GRIB1" : "GRIB2");
-      if ((field.location.edition == 2) != (analysis_.table == TypeTable::Wmo))
-        throw base::InputError(field.location.name(), "mixes GRIB1 and GRIB2, whose type tables differ",
+      addFile(*field.head.location.file);
+      formats_.insert(field.head.location.edition == 1 ? "GRIB1" : "GRIB2");
+      if ((field.head.location.edition == 2) != (analysis_.table == TypeTable::Wmo))
+        throw base::InputError(field.head.location.name(), "mixes GRIB1 and GRIB2, whose type tables differ",
                                "give files of one edition");
     }
     reader.read(files.grib, number);

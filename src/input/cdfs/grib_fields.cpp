@@ -5,12 +5,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <fstream>
 
 #include "base/error.hpp"
 #include "base/thread.hpp"
 #include "input/grib/handle.hpp"
+#include "input/grib/octets.hpp"
+#include "input/grib/product.hpp"
 
 namespace cloudgen::input::cdfs {
 namespace {
@@ -18,30 +20,8 @@ namespace {
 constexpr int kAirForce = 57, kLayerLevel = 109, kColumnLevel = 200;
 constexpr std::size_t kSection1 = 28;
 
-/// Section 1 of GRIB1, octets counted from 1 as the manual does.
-struct Section1 {
-  std::string_view bytes;
-
-  int octet(std::size_t number) const { return static_cast<unsigned char>(bytes[number - 1]); }
-  bool whole() const { return bytes.size() >= kSection1; }
-  int centre() const { return octet(5); }
-  int gridDefinition() const { return octet(7); }
-  int parameter() const { return octet(9); }
-  int levelType() const { return octet(10); }
-  int level() const { return octet(11) * 256 + octet(12); }
-
-  /// Analyses have no forecast step; one in hours or minutes is added.
-  base::UtcTime time() const {
-    const int year = (octet(25) - 1) * 100 + octet(13);
-    base::UtcTime time = base::utcFromCivil(year, std::clamp(octet(14), 1, 12), std::clamp(octet(15), 1, 31),
-                                            octet(16), octet(17));
-    if (octet(21) == 0 && octet(18) <= 1) time.seconds += octet(19) * (octet(18) == 1 ? 3600 : 60);
-    return time;
-  }
-};
-
-GribColumn columnOf(const Section1& section) {
-  if (section.levelType() == kLayerLevel) switch (section.parameter()) {
+GribColumn columnOf1(int parameter, int levelType) {
+  if (levelType == kLayerLevel) switch (parameter) {
       case 163:
         return GribColumn::Amount;
       case 164:
@@ -55,13 +35,13 @@ GribColumn columnOf(const Section1& section) {
       default:
         return GribColumn::Other;
     }
-  if (section.levelType() == kColumnLevel && section.parameter() == 71) return GribColumn::TotalCover;
-  if (section.levelType() == kColumnLevel && section.parameter() == 183) return GribColumn::UpdateTime;
+  if (levelType == kColumnLevel && parameter == 71) return GribColumn::TotalCover;
+  if (levelType == kColumnLevel && parameter == 183) return GribColumn::UpdateTime;
   return GribColumn::Other;
 }
 
 /// Discipline 0, category 6 of GRIB2 (code table 4.2).
-GribColumn columnOf2(long number) {
+GribColumn columnOf2(int number) {
   switch (number) {
     case 1:
       return GribColumn::TotalCover;
@@ -105,103 +85,70 @@ bool startsWithTypedCloud2(std::string_view message) {
   return false;
 }
 
-bool isSouth(const grib::Handle& handle) {
-  if (const auto flag = handle.integerIfAny("projectionCentreFlag"); flag && (*flag & 128) != 0) return true;
-  // The corners of a hemisphere's square lie beyond the equator.
-  return handle.number("latitudeOfFirstGridPointInDegrees") > 0;
-}
-
-base::UtcTime validTime(const grib::Handle& handle) {
-  const long date = handle.integer("validityDate"), time = handle.integer("validityTime");
-  return base::utcFromCivil(static_cast<int>(date / 10000),
-                            std::clamp(static_cast<int>(date / 100 % 100), 1, 12),
-                            std::clamp(static_cast<int>(date % 100), 1, 31), static_cast<int>(time / 100),
-                            static_cast<int>(time % 100));
-}
-
-/// Tells what each message of a file is.
-class Listing {
- public:
-  Listing(const std::filesystem::path& file, std::vector<std::string>& unused)
-      : stream_(file, std::ios::binary), unused_(unused) {}
-
-  std::vector<GribField> of(const std::vector<grib::FieldLocation>& locations) {
-    for (const grib::FieldLocation& location : locations)
-      location.edition == 1 ? add1(location) : add2(location);
-    return std::move(fields_);
-  }
-
- private:
-  void add1(const grib::FieldLocation& location) {
-    std::string bytes(kSection1, '\0');
-    stream_.clear();
-    stream_.seekg(static_cast<std::streamoff>(location.messageOffset + 8));
-    if (!stream_.read(bytes.data(), kSection1))
-      throw base::InputError(location.name(), "cannot be read any more",
-                             "leave input files alone while they are read");
-    const Section1 section{bytes};
-    const auto column = columnOf(section);
-    const bool onLayer = section.level() >= 1 && section.level() <= static_cast<int>(kLayers);
-    if (column == GribColumn::Other || section.centre() != kAirForce || (hasLayers(column) && !onLayer)) {
-      unused_.push_back(fmt::format("parameter {} on level {} of type {} ({})", section.parameter(),
-                                    section.level(), section.levelType(), location.name()));
-      return;
-    }
-    const bool bothNamed = section.gridDefinition() == 212 || section.gridDefinition() == 213;
-    const bool south = bothNamed ? section.gridDefinition() == 213 : isSouth(grib::Handle(location));
-    add(location, column, section.level(), south, section.time());
-  }
-
-  void add2(const grib::FieldLocation& location) {
-    const grib::Handle handle(location);
-    const bool cloud =
-        handle.integerIfAny("discipline") == 0 && handle.integerIfAny("parameterCategory") == 6;
-    const auto column = cloud ? columnOf2(handle.integer("parameterNumber")) : GribColumn::Other;
-    const long level = handle.integerIfAny("level").value_or(0);
-    if (column == GribColumn::Other || (hasLayers(column) && (level < 1 || level > 4))) {
-      unused_.push_back(fmt::format("{} on level {} ({})", handle.text("shortName"), level, location.name()));
-      return;
-    }
-    add(location, column, static_cast<int>(level), isSouth(handle), validTime(handle));
-  }
-
-  void add(const grib::FieldLocation& location, GribColumn column, int level, bool south,
-           base::UtcTime time) {
-    fields_.push_back({location, column, hasLayers(column) ? static_cast<std::size_t>(level - 1) : 0,
-                       south ? Hemisphere::South : Hemisphere::North, time});
-  }
-
-  std::ifstream stream_;
-  std::vector<std::string>& unused_;
-  std::vector<GribField> fields_;
-};
-
-MeshHeader headerOf(const grib::Handle& handle, Hemisphere half) {
-  constexpr long kMostColumns = 4096;
-  if (handle.text("gridType") != "polar_stereographic")
-    throw base::InputError(handle.location().name(),
-                           fmt::format("is on a grid of the kind {}", handle.text("gridType")),
-                           "give WWMCA files on their own polar stereographic grid");
-  MeshHeader header;
-  const long columns = handle.integer("Nx"), rows = handle.integer("Ny");
+/// What section 2 (GRIB1) or 3 (GRIB2, template 20) says; the two lay it out differently. Throws InputError
+/// for grids of other kinds and absurd ones.
+MeshHeader headerOf(const grib::FieldHead& head) {
+  constexpr std::uint64_t kMostColumns = 4096;
+  const bool first = head.location.edition == 1;
+  const grib::Octets grid(*head.grid, head.location.name());
+  const bool polar = first ? grid.has(6) && grid.whole(6, 1) == 5 : grid.whole(13, 2) == 20;
+  if (!polar)
+    throw base::InputError(head.location.name(), "is not on a polar stereographic grid",
+                           "give WWMCA files on their own grid");
+  const std::uint64_t columns = first ? grid.whole(7, 2) : grid.whole(31, 4);
+  const std::uint64_t rows = first ? grid.whole(9, 2) : grid.whole(35, 4);
   if (columns < 2 || rows < 2 || columns > kMostColumns || rows > kMostColumns)
-    throw base::InputError(handle.location().name(),
-                           fmt::format("has a grid of {} x {} cells", columns, rows), "fetch the file again");
+    throw base::InputError(head.location.name(), fmt::format("has a grid of {} x {} cells", columns, rows),
+                           "fetch the file again");
+  const auto number = [&](std::size_t octet1, std::size_t octet2) {
+    return first ? 1e-3 * static_cast<double>(grid.withSign(octet1, 3))
+                 : 1e-6 * static_cast<double>(grid.withSign(octet2, 4));
+  };
+  MeshHeader header;
   header.columns = static_cast<int>(columns), header.rows = static_cast<int>(rows);
-  header.firstLatitude = handle.number("latitudeOfFirstGridPointInDegrees");
-  header.firstLongitude = handle.number("longitudeOfFirstGridPointInDegrees");
-  header.orientation = handle.number("orientationOfTheGridInDegrees");
-  header.stepMeters = handle.number("DxInMetres");
-  header.radiusMeters = handle.numberIfAny("radius").value_or(6367470);  // GRIB1's sphere
-  header.south = half == Hemisphere::South;
-  header.rowsRise = handle.integerIfAny("jScansPositively") == 1;
+  header.firstLatitude = number(11, 39);
+  header.firstLongitude = number(14, 43);
+  header.orientation = number(18, 52);
+  header.stepMeters =
+      first ? static_cast<double>(grid.whole(21, 3)) : 1e-3 * static_cast<double>(grid.whole(56, 4));
+  header.radiusMeters = first || grid.whole(15, 1) == 0 ? 6367470 : 6371229;  // the spheres of GRIB
+  // The corners of a hemisphere's square lie beyond the equator.
+  header.south = (grid.whole(first ? 27 : 64, 1) & 128) != 0 || header.firstLatitude > 0;
+  header.rowsRise = (grid.whole(first ? 28 : 65, 1) & 64) != 0;
   return header;
+}
+
+Hemisphere halfOf(const grib::FieldHead& head) {
+  const int named = head.location.edition == 1 ? static_cast<unsigned char>((*head.identification)[6]) : 0;
+  if (named == 212) return Hemisphere::North;
+  if (named == 213) return Hemisphere::South;
+  return headerOf(head).south ? Hemisphere::South : Hemisphere::North;
+}
+
+/// What a message is, or nothing (and a line of `unused`) where it is not WWMCA's.
+std::optional<GribField> fieldOf(const grib::FieldHead& head, std::vector<std::string>& unused) {
+  const grib::Product product = grib::readProduct(head);
+  const bool second = product.edition == 2;
+  GribField field;
+  if (second && product.discipline == 0 && product.category == 6) field.column = columnOf2(product.number);
+  if (!second && product.centre == kAirForce) field.column = columnOf1(product.number, product.firstType);
+  const bool onLayer = product.firstValue >= 1 && product.firstValue <= static_cast<double>(kLayers);
+  if (field.column == GribColumn::Other || (hasLayers(field.column) && !onLayer) || !product.valid) {
+    unused.push_back(fmt::format("parameter {} on level {:g} of type {} ({})", product.number,
+                                 product.firstValue, product.firstType, head.location.name()));
+    return std::nullopt;
+  }
+  field.head = head;
+  if (hasLayers(field.column)) field.layer = static_cast<std::size_t>(product.firstValue) - 1;
+  field.half = halfOf(head);
+  field.time = *product.valid;
+  return field;
 }
 
 std::uint8_t typeless(TypeTable table) { return table == TypeTable::Afwa ? kNotFilled : kWmoMissing; }
 
 /// Neither missing nor damaged.
-bool isThere(double value) { return value > 0.5 * grib::Handle::kMissing; }
+bool isThere(double value) { return value > 0.5 * grib::kMissingValue; }
 
 /// Values are whole numbers that packing may have moved a little. (std::round is a call, and there are
 /// millions.)
@@ -220,27 +167,33 @@ bool startsLikeWwmca(std::string_view firstBytes) {
   if (start == std::string_view::npos || firstBytes.size() < start + 8 + kSection1) return false;
   const std::string_view message = firstBytes.substr(start);
   if (message[7] == 2) return startsWithTypedCloud2(message);
-  const Section1 section{message.substr(8)};
-  return message[7] == 1 && section.centre() == kAirForce && columnOf(section) != GribColumn::Other;
+  const auto octet = [&](std::size_t number) { return static_cast<unsigned char>(message[7 + number]); };
+  return message[7] == 1 && octet(5) == kAirForce && columnOf1(octet(9), octet(10)) != GribColumn::Other;
 }
 
 std::vector<GribField> gribFieldsOf(const std::filesystem::path& file, std::vector<std::string>& unused) {
-  return Listing(file, unused).of(grib::locateFields(file));
+  std::vector<GribField> fields;
+  for (const grib::FieldHead& head : grib::locateFields(file))
+    if (auto field = fieldOf(head, unused)) fields.push_back(std::move(*field));
+  return fields;
 }
 
 Mesh meshOf(const std::vector<GribField>& fields, std::vector<field::Warning>& warnings) {
-  const grib::Handle handle(fields.front().location);
-  const MeshHeader header = headerOf(handle, fields.front().half);
+  const GribField& first = fields.front();
+  // A message may name its grid by number alone.
+  if (first.head.grid->empty()) return standardMesh();
+  MeshHeader header = headerOf(first.head);
+  header.south = first.half == Hemisphere::South;
   if (const auto mesh = meshOf(header)) return *mesh;
   const bool square =
       header.columns == header.rows && std::has_single_bit(static_cast<unsigned>(header.rows));
   if (!square)
-    throw base::InputError(handle.location().name(), "has a grid without the pole in it",
-                           "give WWMCA files on their own polar stereographic grid");
+    throw base::InputError(first.head.location.name(), "has a grid without the pole in it",
+                           "give WWMCA files on their own grid");
   warnings.push_back(
-      {"grid_header", fmt::format("the grid in the header of {} does not hold the pole: that of the "
-                                  "Air Force's mesh with {} x {} cells is taken",
-                                  handle.location().name(), header.columns, header.rows)});
+      {"grid_header", fmt::format("the grid in the header of {} does not hold the pole: that of the Air "
+                                  "Force's mesh with {} x {} cells is taken",
+                                  first.head.location.name(), header.columns, header.rows)});
   return standardMesh(header.columns);
 }
 
@@ -251,7 +204,7 @@ void GribReader::read(const std::vector<GribField>& fields, std::size_t half) {
     std::vector<double> values;
     for (const GribField& field : fields) {
       if (static_cast<std::size_t>(field.column) % kTasks != task) continue;
-      grib::Handle(field.location).readValues(values, analysis_.mesh.size());
+      grib::decodeValues(field.head.location, analysis_.mesh.size(), values);
       keep(field, values, half);
     }
   });

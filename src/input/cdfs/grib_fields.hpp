@@ -22,8 +22,8 @@ enum class GribColumn : unsigned char {
 
 /// A message of a WWMCA file in GRIB, known by its headers.
 struct GribField {
-  grib::FieldLocation location;
-  GribColumn column{};
+  grib::FieldHead head;
+  GribColumn column = GribColumn::Other;
   std::size_t layer = 0;  ///< 0..3, of columns with layers
   Hemisphere half{};
   base::UtcTime time;

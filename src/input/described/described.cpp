@@ -197,21 +197,12 @@ class DescribedSource : public field::Source {
 
 bool isDescribedSky(std::string_view firstBytes) {
   const std::size_t first = firstBytes.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
-  return first != std::string_view::npos && firstBytes[first] == '{';
+  return first != std::string_view::npos && firstBytes[first] == '{' &&
+         firstBytes.find("\"cloudgen_sky\"") != std::string_view::npos;
 }
 
 std::unique_ptr<field::Source> readDescribedSky(std::string_view text, const std::string& where) {
-  nlohmann::json document;
-  try {
-    document = nlohmann::json::parse(text);
-  } catch (const nlohmann::json::parse_error& error) {
-    const std::size_t byte = std::min(error.byte, text.size());
-    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(byte), '\n');
-    throw base::InputError(fmt::format("{}, line {}", where, line), "is not JSON",
-                           "check the commas, quotes and brackets there");
-  } catch (const nlohmann::json::exception&) {
-    throw base::InputError(where, "holds a number that is out of range", "see schemas/sky.schema.json");
-  }
+  const nlohmann::json document = parseJson(text, where);
   return std::make_unique<DescribedSource>(skyOf(JsonPlace(document, where), where));
 }
 

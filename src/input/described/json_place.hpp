@@ -13,8 +13,10 @@ namespace cloudgen::input {
 /// /layers/0/cover").
 class JsonPlace {
  public:
-  JsonPlace(const nlohmann::json& value, std::string file, std::string path = "")
-      : value_(&value), file_(std::move(file)), path_(std::move(path)) {}
+  /// `hint` says what to do where a member is missing or of the wrong kind.
+  JsonPlace(const nlohmann::json& value, std::string file, std::string path = "",
+            std::string hint = "see schemas/sky.schema.json")
+      : value_(&value), file_(std::move(file)), path_(std::move(path)), hint_(std::move(hint)) {}
 
   /// Throws InputError here.
   [[noreturn]] void fail(const std::string& what, const std::string& hint) const;
@@ -29,13 +31,19 @@ class JsonPlace {
   std::size_t count(std::size_t least, std::size_t most) const;
   JsonPlace element(std::size_t index) const;
 
+  bool isArray() const { return value_->is_array(); }
+  bool isObject() const { return value_->is_object(); }
+  bool isNull() const { return value_->is_null(); }
   std::string text(std::size_t longest) const;
   double number(double lowest, double highest) const;
   int integer(int lowest, int highest) const;
 
  private:
   const nlohmann::json* value_;
-  std::string file_, path_;
+  std::string file_, path_, hint_;
 };
+
+/// Throws InputError that names the line.
+nlohmann::json parseJson(std::string_view text, const std::string& where);
 
 }  // namespace cloudgen::input

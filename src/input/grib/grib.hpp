@@ -6,18 +6,25 @@
 #include <string_view>
 #include <vector>
 
-#include "field/source.hpp"
+#include "input/model/model_field.hpp"
 #include "input/open_options.hpp"
 
 namespace cloudgen::input {
 
 bool isGrib(std::string_view firstBytes);
 
-/// Opens GRIB1 or GRIB2 files that together hold the fields of one model run, on pressure levels and a
-/// regular latitude-longitude grid. Headers are read now, data later, one level at a time. Of several valid
-/// times or ensemble members the first is taken, and a warning names the others. Throws InputError: empty,
-/// cut short, damaged, no cloud water, another grid or kind of level.
+/// Opens GRIB1 and GRIB2 files of a model: grib::readContents() and model::makeSource(). Throws InputError:
+/// empty, cut short, damaged, nothing about clouds, a grid that cannot be placed.
 std::unique_ptr<field::Source> openGrib(const std::vector<std::filesystem::path>& files,
                                         const OpenOptions& options);
+
+namespace grib {
+
+/// The fields of files by meaning. Headers are read now, data when a field is asked for. Fields that hold at
+/// a moment go before averages of the same; those are taken where nothing else is there, with the warning
+/// "averaged_cover". Throws InputError.
+model::Contents readContents(const std::vector<std::filesystem::path>& files);
+
+}  // namespace grib
 
 }  // namespace cloudgen::input

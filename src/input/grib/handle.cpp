@@ -4,13 +4,15 @@
 #include <eccodes.h>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <mutex>
+#include <type_traits>
 
 #include "base/error.hpp"
+#include "input/grib/packing_check.hpp"
 
 namespace cloudgen::input::grib {
 namespace {
@@ -39,104 +41,136 @@ codes_context* quietContext() {
   return context;
 }
 
+/// A number big-endian.
+std::string octets(std::uint64_t value, std::size_t length) {
+  std::string text(length, '\0');
+  for (std::size_t i = 0; i < length; ++i) text[length - 1 - i] = static_cast<char>(value >> (8 * i));
+  return text;
+}
+
+std::string section(std::uint64_t number, const std::string& content) {
+  return octets(content.size() + 5, 4) + octets(number, 1) + content;
+}
+
+std::string message2(int discipline, const std::string& sections) {
+  return "GRIB" + octets(0xffff, 2) + octets(static_cast<std::uint64_t>(discipline), 1) + octets(2, 1) +
+         octets(16 + sections.size() + 4, 8) + sections + "7777";
+}
+
+/// One row of `count` points.
+std::string plainGrid(std::size_t count) {
+  return section(3, octets(0, 1) + octets(count, 4) + octets(0, 4) + octets(6, 1) + std::string(15, '\0') +
+                        octets(count, 4) + octets(1, 4) + std::string(34, '\0'));
+}
+
+/// The packed values of a field of edition 2, as temperature on a plain grid.
+std::string valuesMessage2(const std::array<std::string, 8>& sections, std::size_t count) {
+  const std::string origin =
+      section(1, octets(255, 2) + octets(0, 2) + octets(4, 1) + octets(0, 1) + octets(1, 1) +
+                     octets(2000, 2) + octets(1, 1) + octets(1, 1) + std::string(5, '\0'));
+  const std::string product =
+      section(4, octets(0, 4) + std::string(4, '\0') + octets(255, 1) + std::string(3, '\0') + octets(1, 1) +
+                     octets(0, 4) + octets(1, 1) + octets(0, 5) + octets(255, 1) + octets(0, 5));
+  return message2(0, origin + plainGrid(count) + product + sections[5] + sections[6] + sections[7]);
+}
+
+std::string message1(const std::array<std::string, 8>& sections) {
+  std::string bytes = sections[1] + sections[2] + sections[3] + sections[4] + "7777";
+  return sections[0] + bytes;
+}
+
+/// A handle of ecCodes over bytes that it keeps.
+class Handle {
+ public:
+  Handle(std::string bytes, std::string where) : bytes_(std::move(bytes)), where_(std::move(where)) {
+    codes_context* context = quietContext();
+    const std::size_t size = bytes_.size();
+    bytes_.resize(size + kPadding);
+    handle_ = guarded([&] { return codes_handle_new_from_message(context, bytes_.data(), size); });
+    if (!handle_) fail("cannot be decoded by ecCodes");
+  }
+  ~Handle() {
+    try {
+      codes_handle_delete(handle_);
+    } catch (const base::InputError&) {
+    }
+  }
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+
+  /// Runs a step of ecCodes; a failed assertion in it becomes an error that names this message.
+  template <class Step>
+  std::invoke_result_t<Step> guarded(const Step& step) const {
+    try {
+      return step();
+    } catch (const base::InputError& error) {
+      fail(error.problem());
+    }
+  }
+
+  codes_handle* get() const { return handle_; }
+  [[noreturn]] void fail(const std::string& what) const {
+    throw base::InputError(where_, what, "fetch the file again");
+  }
+
+ private:
+  std::string bytes_, where_;
+  codes_handle* handle_ = nullptr;
+};
+
 }  // namespace
 
-void Handle::fail(const std::string& what) const {
-  throw base::InputError(location_.name(), what, "fetch the file again");
-}
-
-/// Runs a step of ecCodes; a failed assertion in it becomes an error that names this message.
-template <class Step>
-auto Handle::guarded(const Step& step) const {
-  try {
-    return step();
-  } catch (const base::InputError& error) {
-    fail(error.problem());
-  }
-}
-
-Handle::Handle(const FieldLocation& location) : location_(location), bytes_(readField(location)) {
-  codes_context* context = quietContext();
-  const std::size_t size = bytes_.size();
-  bytes_.resize(size + kPadding);
-  grib_handle* handle = guarded([&] { return codes_handle_new_from_message(context, bytes_.data(), size); });
-  if (!handle) fail("cannot be decoded by ecCodes");
-  handle_ = std::shared_ptr<grib_handle>(handle, [](grib_handle* h) { codes_handle_delete(h); });
-}
-
-bool Handle::present(const char* key) const {
-  int code = CODES_SUCCESS;
-  const int missing = codes_is_missing(handle_.get(), key, &code);
-  return code == CODES_SUCCESS && !missing;
-}
-
-std::optional<long> Handle::integerIfAny(const char* key) const {
-  long value = 0;
-  const bool read =
-      guarded([&] { return present(key) && codes_get_long(handle_.get(), key, &value) == CODES_SUCCESS; });
-  return read ? std::optional(value) : std::nullopt;
-}
-
-std::optional<double> Handle::numberIfAny(const char* key) const {
-  double value = 0;
-  const bool read =
-      guarded([&] { return present(key) && codes_get_double(handle_.get(), key, &value) == CODES_SUCCESS; });
-  return read && std::isfinite(value) ? std::optional(value) : std::nullopt;
-}
-
-long Handle::integer(const char* key) const {
-  const auto value = integerIfAny(key);
-  if (!value) fail(fmt::format("has no {}", key));
-  return *value;
-}
-
-double Handle::number(const char* key) const {
-  const auto value = numberIfAny(key);
-  if (!value) fail(fmt::format("has no {}", key));
-  return *value;
-}
-
-std::string Handle::text(const char* key) const {
-  std::array<char, 512> buffer{};
-  std::size_t length = buffer.size();
-  const int code = guarded([&] { return codes_get_string(handle_.get(), key, buffer.data(), &length); });
-  if (code != CODES_SUCCESS) return "unknown";
-  buffer.back() = '\0';
-  return buffer.data();
-}
-
-/// Bits that simply packed values need must be there: ecCodes takes them without looking.
-void Handle::checkPacking() const {
-  if (text("packingType") != "grid_simple") return;
-  const long bits = integer("bitsPerValue"), coded = integer("numberOfCodedValues");
-  const bool first = location_.edition == 1;
-  const long length = first ? integer("section4Length") : static_cast<long>(location_.sections.back().length);
-  const long room = length - (first ? 11 : 5);
-  if (bits < 0 || bits > 64 || coded < 0 || coded > (long{1} << 32) || (bits * coded + 7) / 8 > room)
-    fail(fmt::format("has a data section too short for {} values of {} bits", coded, bits));
-}
-
-std::vector<double> Handle::values(std::size_t count) const {
+std::vector<double> decodedValues(const FieldLocation& location, std::size_t count) {
   std::vector<double> values;
-  readValues(values, count);
+  decodeValues(location, count, values);
   for (double& value : values)
-    if (value == kMissing || !std::isfinite(value)) value = std::numeric_limits<double>::quiet_NaN();
+    if (value == kMissingValue || !std::isfinite(value)) value = std::numeric_limits<double>::quiet_NaN();
   return values;
 }
 
-void Handle::readValues(std::vector<double>& values, std::size_t count) const {
-  checkPacking();
+void decodeValues(const FieldLocation& location, std::size_t count, std::vector<double>& values) {
+  std::array<std::string, 8> sections = readSections(location);
+  checkPacking(location, sections, count);
+  const Handle handle(location.edition == 1 ? message1(sections) : valuesMessage2(sections, count),
+                      location.name());
+  sections = {};
   values.resize(count);
   std::size_t stated = 0, read = count;
-  const int code = guarded([&] {
-    codes_set_double(handle_.get(), "missingValue", kMissing);
-    const int sized = codes_get_size(handle_.get(), "values", &stated);
+  const int code = handle.guarded([&] {
+    codes_set_double(handle.get(), "missingValue", kMissingValue);
+    const int sized = codes_get_size(handle.get(), "values", &stated);
     if (sized != CODES_SUCCESS || stated != count) return sized;
-    return codes_get_double_array(handle_.get(), "values", values.data(), &read);
+    return codes_get_double_array(handle.get(), "values", values.data(), &read);
   });
-  if (code != CODES_SUCCESS) fail(fmt::format("has damaged data ({})", codes_get_error_message(code)));
+  if (code != CODES_SUCCESS) handle.fail(fmt::format("has damaged data ({})", codes_get_error_message(code)));
   if (stated != count || read != count)
-    fail(fmt::format("holds {} values where its grid has {} points", std::min(stated, read), count));
+    handle.fail(fmt::format("holds {} values where its grid has {} points", std::min(stated, read), count));
+}
+
+std::string shortNameOf(const FieldHead& head) {
+  const bool first = head.location.edition == 1;
+  std::string bytes;
+  if (first) {
+    std::string product = *head.identification;
+    product[7] = '\0';  // no sections 2 and 3
+    bytes = product + octets(12, 3) + std::string(9, '\0') + "7777";
+    bytes = "GRIB" + octets(8 + bytes.size(), 3) + octets(1, 1) + bytes;
+  } else {
+    const std::string constant = octets(1, 4) + octets(0, 2) + std::string(10, '\0');
+    bytes = message2(head.discipline, *head.identification + plainGrid(1) + *head.product +
+                                          section(5, constant) + section(6, octets(255, 1)) + section(7, ""));
+  }
+  try {
+    const Handle handle(bytes, head.location.name());
+    std::array<char, 512> buffer{};
+    std::size_t length = buffer.size();
+    const int code =
+        handle.guarded([&] { return codes_get_string(handle.get(), "shortName", buffer.data(), &length); });
+    buffer.back() = '\0';
+    if (code == CODES_SUCCESS) return buffer.data();
+  } catch (const base::InputError&) {
+  }
+  return "unknown";
 }
 
 }  // namespace cloudgen::input::grib

@@ -1,52 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "input/grib/messages.hpp"
 
-struct grib_handle;
-
+/// What ecCodes is asked for: values and names. Whatever it finds wrong becomes an InputError that names the
+/// message; it prints nothing and does not abort. To keep it away from what it need not know, it sees
+/// messages that are made for the purpose.
 namespace cloudgen::input::grib {
 
-/// One decoded message of ecCodes. Whatever ecCodes finds wrong becomes an InputError that names the message;
-/// it prints nothing and does not abort. One handle a thread.
-class Handle {
- public:
-  explicit Handle(const FieldLocation& location);
-  Handle(const Handle&) = delete;  // ecCodes points into bytes_
-  Handle& operator=(const Handle&) = delete;
+/// Every value of a field in the order of the file; NaN where the bitmap says missing. Throws InputError for
+/// damaged data, and unless there are `count`.
+std::vector<double> decodedValues(const FieldLocation& location, std::size_t count);
 
-  long integer(const char* key) const;
-  double number(const char* key) const;
-  std::string text(const char* key) const;
-  /// Nothing where the message does not have the key.
-  std::optional<long> integerIfAny(const char* key) const;
-  std::optional<double> numberIfAny(const char* key) const;
+/// What decodeValues() gives for a missing value.
+inline constexpr double kMissingValue = -1e100;
 
-  /// Every value in the order of the file; NaN where the bitmap says missing. Throws unless there are
-  /// `count`.
-  std::vector<double> values(std::size_t count) const;
-  /// The same as ecCodes gives them, missing values as kMissing, into a vector that may serve again for the
-  /// next message: each pass over a million values counts.
-  void readValues(std::vector<double>& values, std::size_t count) const;
-  static constexpr double kMissing = -1e100;
+/// The same as ecCodes gives them, into a vector that may serve again for the next message: with millions of
+/// values each pass over them counts.
+void decodeValues(const FieldLocation& location, std::size_t count, std::vector<double>& values);
 
-  const FieldLocation& location() const { return location_; }
-
- private:
-  [[noreturn]] void fail(const std::string& what) const;
-  template <class Step>
-  auto guarded(const Step& step) const;
-  bool present(const char* key) const;
-  void checkPacking() const;
-
-  FieldLocation location_;
-  std::string bytes_;
-  std::shared_ptr<grib_handle> handle_;
-};
+/// ecCodes' short name of a field, by its head; "unknown" where it has none.
+std::string shortNameOf(const FieldHead& head);
 
 }  // namespace cloudgen::input::grib

@@ -137,7 +137,8 @@ class ModelSource : public field::Source {
     field::Level level;
     if (chosen.vertical.kind == VerticalKind::Pressure) level.pressurePa = chosen.vertical.value;
     for (const auto& [quantity, field] : chosen.fields) {
-      std::vector<float>& values = level.values[quantity] = field.read(cells);
+      std::vector<float>& values = level.values[quantity] =
+          cells.empty() ? std::vector<float>{} : field.read(cells);
       assert(values.size() == cells.size());
       const bool cover = quantity == Quantity::CloudFraction;
       const float factor = cover ? coverFactor_ : (field.inPercent ? 0.01f : 1.0f);

@@ -5,29 +5,14 @@
 
 #include "base/error.hpp"
 #include "field/cloud_water.hpp"
+#include "unit/field/made_levels.hpp"
 
 namespace cloudgen::field {
 namespace {
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-
-/// Two columns at 45 N; levels are given from the ground upwards.
-class MadeSource : public Source {
- public:
-  MadeSource() {
-    grid_.columns = 2, grid_.rows = 1;
-    grid_.firstX = 10, grid_.firstY = 45, grid_.stepX = grid_.stepY = 1;
-    info_.files = {"made"};
-  }
-  const SourceInfo& info() const override { return info_; }
-  const Grid& grid() const override { return grid_; }
-  Telling telling() const override { return Telling::Levels; }
-  void visitLevels(std::span<const std::uint32_t>,
-                   const std::function<void(const Level&)>& visit) const override {
-    for (const Level& level : levels) visit(level);
-  }
-  Surface surface(std::span<const std::uint32_t>) const override { return ground; }
-
+/// Two columns.
+struct MadeSource : MadeLevels {
+  MadeSource() : MadeLevels(2) {}
   /// A level of clear air; both columns alike.
   std::map<Quantity, std::vector<float>>& add(double hectopascals, float height, float temperature,
                                               float humidity = 0.5f) {
@@ -39,13 +24,6 @@ class MadeSource : public Source {
                        {Quantity::CloudIce, {0, 0}}}});
     return levels.back().values;
   }
-
-  std::vector<Level> levels;
-  Surface ground;
-
- private:
-  SourceInfo info_;
-  Grid grid_;
 };
 
 /// Four levels, the third of which may get water: 0, 1000, 2000, 4000 m.
@@ -57,7 +35,6 @@ struct Atmosphere : MadeSource {
     add(600, 4000, 262);
   }
   std::vector<float>& at(std::size_t level, Quantity quantity) { return levels[level].values[quantity]; }
-  CloudColumns collected() const { return collectColumns(*this, {0, 1}); }
 };
 
 TEST(Collect, SlabHasItsKnownOpticalDepth) {
@@ -67,8 +44,7 @@ TEST(Collect, SlabHasItsKnownOpticalDepth) {
   const CloudColumns columns = air.collected();
   ASSERT_EQ(columns.cells.size(), 1u);
   EXPECT_EQ(columns.start, (std::vector<std::uint32_t>{0, 1, 1}));
-  EXPECT_FALSE(columns.fractionDerived);
-  EXPECT_FALSE(columns.phaseDerived);
+  EXPECT_TRUE(columns.derived.empty());
   const CloudCell& cell = columns.cells[0];
   EXPECT_EQ(cell.level, 2u);
   EXPECT_NEAR(cell.baseMeters, 1500, 3);
@@ -122,13 +98,14 @@ TEST(Collect, TracesNegativeAndMissingWaterAreClear) {
   EXPECT_TRUE(air.collected().cells.empty());
 }
 
-TEST(Collect, MissingHeightOfANeighbourIsBridged) {
+TEST(Collect, MissingHeightOfANeighbourIsComputedFromTheLevelBelow) {
   Atmosphere air;
   air.at(2, Quantity::CloudLiquid) = {1e-4f, 1e-4f};
   air.at(1, Quantity::GeopotentialHeight) = {kNan, 1000};
   const CloudColumns columns = air.collected();
   ASSERT_EQ(columns.cells.size(), 2u);
-  EXPECT_NEAR(columns.cells[0].baseMeters, 1000, 3);
+  const double computed = thickness(100000, 90000, 285 * 1.0003);
+  EXPECT_NEAR(columns.cells[0].baseMeters, 0.5 * (computed + 2000), 3);
   EXPECT_NEAR(columns.cells[1].baseMeters, 1500, 3);
 }
 
@@ -149,7 +126,8 @@ TEST(Collect, FractionIsDerivedWhereNoneIsGivenOrAllIsZero) {
     if (zeroes) air.at(2, Quantity::CloudFraction) = {0, 0};
     const CloudColumns columns = air.collected();
     ASSERT_EQ(columns.cells.size(), 1u);
-    EXPECT_TRUE(columns.fractionDerived);
+    EXPECT_TRUE(derives(columns, "cloud fraction", "Xu & Randall"));
+    EXPECT_EQ(derives(columns, "cloud fraction", "zero"), zeroes);
     EXPECT_NEAR(columns.cells[0].fraction,
                 cloudFractionXuRandall(0.9, 1e-4, saturationSpecificHumidity(80000, 276)), 1e-5);
   }
@@ -165,7 +143,7 @@ TEST(Collect, CondensateIsSplitByTemperature) {
   }
   const CloudColumns columns = air.collected();
   ASSERT_EQ(columns.cells.size(), 4u);
-  EXPECT_TRUE(columns.phaseDerived);
+  EXPECT_TRUE(derives(columns, "liquid and ice", "split by temperature"));
   EXPECT_EQ(columns.cells[2].iceExtinctionPerMeter, 0) << "276 K";
   const double density = airDensity(60000, 262, 0.5 * saturationSpecificHumidity(60000, 262));
   EXPECT_NEAR(columns.cells[3].liquidExtinctionPerMeter, liquidExtinction(1e-4 * liquidShare(262) * density),
@@ -198,15 +176,20 @@ TEST(Collect, KIndexIsMissingWhereItsLevelsAre) {
 
 TEST(Collect, SaysWhatIsMissing) {
   EXPECT_THROW(collectColumns(MadeSource(), {0}), base::InputError);
-  MadeSource single;
-  single.add(500, 5000, 250);
-  EXPECT_THROW(collectColumns(single, {0, 1}), base::InputError);
-  for (const Quantity needed :
-       {Quantity::Temperature, Quantity::GeopotentialHeight, Quantity::RelativeHumidity}) {
-    Atmosphere air;
-    air.levels[2].values.erase(needed);
-    EXPECT_THROW(air.collected(), base::InputError);
-  }
+  Atmosphere air;
+  for (const Quantity gone : {Quantity::CloudLiquid, Quantity::CloudIce, Quantity::RelativeHumidity})
+    air.erase(gone);
+  EXPECT_THROW(air.collected(), base::InputError);
+}
+
+TEST(Collect, WaterWithoutFractionAndHumidityIsOvercast) {
+  Atmosphere air;
+  air.at(2, Quantity::CloudLiquid) = {1e-4f, 0};
+  air.erase(Quantity::RelativeHumidity);
+  const CloudColumns columns = air.collected();
+  ASSERT_EQ(columns.cells.size(), 1u);
+  EXPECT_FLOAT_EQ(columns.cells[0].fraction, 1);
+  EXPECT_TRUE(derives(columns, "cloud fraction", "neither"));
 }
 
 TEST(Collect, NoColumnsAreNoCells) {

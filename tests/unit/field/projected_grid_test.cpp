@@ -51,15 +51,16 @@ TEST(Hemispheres, NeighboursAcrossTheEquator) {
   const Grid grid = trial::hemispheres();
   const CellFinder finder(grid);
   int across = 0;
-  for (double longitude = -180; longitude < 180; longitude += 3) {
-    const auto north = finder.at({longitude, 0.5}), south = finder.at({longitude, -0.5});
-    ASSERT_TRUE(north && south) << longitude;
-    const auto around = neighbours(grid, *north);
-    for (const std::uint32_t other : around)
-      across += (other < grid.size() / 2) != (*north < grid.size() / 2) ? 1 : 0;
-    EXPECT_TRUE(*north == *south || testing::Value(around, testing::Contains(*south))) << longitude;
+  for (std::uint32_t cell = 0; cell < grid.size(); ++cell) {
+    const GeoPoint center = centerOf(grid, cell);
+    const double side = cellSidesMeters(grid, cell).x / 111195;
+    if (cellAreaSquareMeters(grid, cell) == 0 || std::abs(center.latitudeDegrees) > 0.7 * side) continue;
+    const auto mirrored = finder.at({center.longitudeDegrees, -center.latitudeDegrees});
+    ASSERT_TRUE(mirrored) << cell;
+    EXPECT_THAT(neighbours(grid, cell), testing::Contains(*mirrored)) << cell;
+    ++across;
   }
-  EXPECT_GT(across, 150);
+  EXPECT_GT(across, 200);
 }
 
 TEST(Polar, ThePoleIsInside) {
@@ -125,8 +126,9 @@ TEST(AxisAngle, TurnsWithTheMeridian) {
   const Grid grid = trial::lambert();
   for (const std::uint32_t cell : {0u, 1000u, 2998u, 6044u}) {
     const double longitude = base::wrappedLongitude(centerOf(grid, cell).longitudeDegrees + 95);
-    // The x axis lies east at the reference meridian; elsewhere the cone turns it (Snyder 1987, 15-4).
-    EXPECT_NEAR(axisAngle(grid, cell), -std::sin(25 * kDegree) * longitude * kDegree * -1, 1e-4) << cell;
+    // The x axis lies east at the reference meridian; west of it the cone turns it to the left (Snyder 1987,
+    // 15-4).
+    EXPECT_NEAR(axisAngle(grid, cell), -std::sin(25 * kDegree) * longitude * kDegree, 1e-4) << cell;
   }
   EXPECT_EQ(axisAngle(trial::global(), 5), 0);
 }
@@ -164,8 +166,8 @@ TEST(Thinned, ReachesOverGreenwich) {
 TEST(Curvilinear, IsAsTheProjectionItCameFrom) {
   const Grid lambert = trial::lambert(), grid = trial::curvilinear(lambert);
   for (const std::uint32_t cell : {0u, 500u, 3000u, 6044u}) {
-    EXPECT_NEAR(cellAreaSquareMeters(grid, cell) / cellAreaSquareMeters(lambert, cell), 1, 2e-3) << cell;
-    EXPECT_NEAR(axisAngle(grid, cell), axisAngle(lambert, cell), 2e-3);
+    EXPECT_NEAR(cellAreaSquareMeters(grid, cell) / cellAreaSquareMeters(lambert, cell), 1, 5e-3) << cell;
+    EXPECT_NEAR(axisAngle(grid, cell), axisAngle(lambert, cell), 5e-3);
     const GeoPoint corner = pointIn(lambert, cell, 0, 0);
     expectPlace(pointIn(grid, cell, 0, 0), corner.longitudeDegrees, corner.latitudeDegrees, 0.01);
   }

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+// Real model files through inspect and build without a special flag, and what each gave.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <valijson/adapters/nlohmann_json_adapter.hpp>
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validator.hpp>
+
+#include "cli/program.hpp"
+#include "support/scratch.hpp"
+
+namespace {
+
+using namespace cloudgen::test;
+using nlohmann::json;
+
+/// A file, and what a forecaster must find in it.
+struct Input {
+  const char* file;
+  const char* tells;   ///< levels or layers
+  std::size_t levels;  ///< that clouds are taken from
+  std::size_t times;
+  const char* gridCrs;                  ///< part of the projection
+  std::vector<const char*> derived;     ///< words that the report must say about what was derived
+  std::vector<const char*> warningIds;  ///< traps of this file
+};
+
+const Input kInputs[] = {
+    {"gfs_2p5_20110110_f120.grib2", "levels", 21, 1, "longlat", {"Xu & Randall"}, {"one_condensate"}},
+    {"wrfout_katrina_mercator_20050828.nc", "levels", 14, 4, "merc", {}, {"liquid_holds_ice", "sphere"}},
+    {"era5_cirrus_16x8x4x13.nc", "levels", 4, 13, "longlat", {}, {"negative_condensate"}},
+    {"gfs_icmr_17x17x3x7.nc", "levels", 3, 7, "longlat", {}, {}},
+    {"eta_g211_lambert_20041208_f24.grib2", "levels", 19, 1, "lcc", {"RH"}, {"negative_cloud_height"}},
+    {"ruc13_g212_2005080700_f00.grb", "levels", 39, 1, "lcc", {"RH", "hypsometric"}, {}},
+    {"ruc13_g212_2005080700_f12.grb", "levels", 39, 1, "lcc", {"RH", "hypsometric"}, {}},
+    {"ruc13_g212_2005080700_f24.grb", "levels", 39, 1, "lcc", {"RH", "hypsometric"}, {}},
+    {"wafs_thinned_reduced_ll_20070110.grib2", "levels", 11, 1, "longlat", {"RH"}, {}},
+    {"ifs_oper_20240101_10msgs.grib2", "levels", 3, 1, "longlat", {"RH"}, {}},
+    {"icon-eu_CLCT_MOD_20220427_f047.grib2", "layers", 0, 1, "longlat", {}, {"cover_in_fractions"}},
+    {"cfs_flux_regular_gg_20060331.grb", "layers", 0, 1, "longlat", {}, {}},
+    {"icon_ny-alesund_column_20210104.nc", "levels", 90, 25, "", {}, {}},
+    {"metar_collective.txt", "layers", 0, 0, "longlat", {}, {}},
+};
+
+void expectFitsSchema(const json& document, const std::string& schemaFile) {
+  std::ifstream stream(std::string(CLOUDGEN_SOURCE_DIR) + "/schemas/" + schemaFile);
+  const json text = json::parse(stream);
+  valijson::Schema schema;
+  valijson::SchemaParser parser;
+  const valijson::adapters::NlohmannJsonAdapter schemaAdapter(text), documentAdapter(document);
+  parser.populateSchema(schemaAdapter, schema);
+  valijson::Validator validator;
+  valijson::ValidationResults results;
+  EXPECT_TRUE(validator.validate(schema, documentAdapter, &results)) << schemaFile;
+  valijson::ValidationResults::Error error;
+  while (results.popError(error)) ADD_FAILURE() << error.description;
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+  return text.empty() ? "-" : text;
+}
+
+std::vector<std::string> idsOf(const json& inspected) {
+  std::vector<std::string> ids;
+  for (const json& warning : inspected.at("warnings")) ids.push_back(warning.at("id"));
+  return ids;
+}
+
+std::string generaOf(const json& report) {
+  std::vector<std::string> genera;
+  for (const auto& [genus, count] : report.at("genera").items()) genera.push_back(genus + ":" + count.dump());
+  return joined(genera);
+}
+
+void printRow(const Input& input, const json& inspected, const json& report) {
+  const json& grid = inspected.at("grid");
+  std::printf("| %s | %s, %s | %zu %s | %zu | %s %sx%s | %s layers | %s | %s |\n", input.file,
+              inspected.at("format").get<std::string>().c_str(),
+              inspected.at("model").get<std::string>().c_str(), inspected.at("levels").at("values").size(),
+              inspected.at("levels").at("kind").get<std::string>().c_str(),
+              inspected.at("valid_times").size(), grid.at("kind").get<std::string>().c_str(),
+              grid.at("columns").dump().c_str(), grid.at("rows").dump().c_str(),
+              report.at("counts").at("layers").dump().c_str(), generaOf(report).c_str(),
+              joined(idsOf(inspected)).c_str());
+}
+
+TEST(Inputs, EveryRealFileIsInspectedAndBuilt) {
+  if (!sharedFile("README.md")) GTEST_SKIP() << "no ../shared/data";
+  std::puts(
+      "| file | format, model | levels | times | grid | found | clouds | warnings "
+      "|\n|---|---|---|---|---|---|---|---|");
+  for (const Input& input : kInputs) {
+    SCOPED_TRACE(input.file);
+    const auto file = sharedFile(input.file);
+    ASSERT_TRUE(file) << "is not in ../shared/data";
+    const Ran inspection = runCloudgen({"inspect", *file, "--json"});
+    ASSERT_EQ(inspection.exitCode, 0) << inspection.err;
+    const json inspected = json::parse(inspection.out);
+    expectFitsSchema(inspected, "inspect.schema.json");
+    EXPECT_EQ(inspected.at("tells"), input.tells);
+    EXPECT_EQ(inspected.at("levels").at("values").size(), input.levels);
+    if (input.times) EXPECT_EQ(inspected.at("valid_times").size(), input.times);
+    EXPECT_NE(inspected.at("grid").at("crs").get<std::string>().find(input.gridCrs), std::string::npos);
+    const auto ids = idsOf(inspected);
+    for (const char* id : input.warningIds) EXPECT_EQ(std::count(ids.begin(), ids.end(), id), 1) << id;
+
+    Scratch folder;
+    const std::string out = folder.path() / "scene";
+    const Ran built =
+        runCloudgen({"build", *file, "-o", out, "--json", "--max-puffs", "2000", "--formats", "splats"});
+    ASSERT_EQ(built.exitCode, 0) << built.err;
+    const json report = json::parse(built.out);
+    expectFitsSchema(report, "report.schema.json");
+    EXPECT_GT(report.at("counts").at("layers").get<int>(), 0);
+    EXPECT_GT(report.at("counts").at("clouds").get<int>(), 0);
+    const std::string derived = report.at("derived").dump();
+    for (const char* word : input.derived)
+      EXPECT_NE(derived.find(word), std::string::npos) << word << " in " << derived;
+    printRow(input, inspected, report);
+  }
+}
+
+/// Files of a time series in one run: each hour is there.
+TEST(Inputs, AnHourAFileIsOneInput) {
+  std::vector<std::string> words{"inspect", "--json"};
+  for (const char* name :
+       {"ruc13_g212_2005080700_f00.grb", "ruc13_g212_2005080700_f12.grb", "ruc13_g212_2005080700_f24.grb"}) {
+    const auto file = sharedFile(name);
+    if (!file) GTEST_SKIP() << "no " << name;
+    words.push_back(*file);
+  }
+  const Ran first = runCloudgen(words);
+  ASSERT_EQ(first.exitCode, 0) << first.err;
+  EXPECT_EQ(json::parse(first.out).at("valid_times"),
+            (json{"2005-08-07T00:00:00Z", "2005-08-07T12:00:00Z", "2005-08-08T00:00:00Z"}));
+  words.insert(words.end(), {"--time", "2005-08-07T12:00Z"});
+  const Ran second = runCloudgen(words);
+  ASSERT_EQ(second.exitCode, 0) << second.err;
+  EXPECT_EQ(json::parse(second.out).at("valid_time"), "2005-08-07T12:00:00Z");
+}
+
+/// A forecaster's pair: GFS with a made WWMCA typing.
+TEST(Inputs, TypingDecidesTheGenera) {
+  const auto gfs = gfsForecast();
+  if (!gfs) GTEST_SKIP() << "no GFS forecast";
+  Scratch folder;
+  const std::string sky = folder.write("typing.sky.json", R"({
+    "cloudgen_sky": 1, "valid_time": "2011-01-15T12:00:00Z", "bbox": [-100, 25, -60, 50],
+    "grid": {"columns": 40, "rows": 25},
+    "layers": [
+      {"genus": "Cu", "cover": 0.4, "base_m": 1200, "top_m": 2400, "optical_depth": 10},
+      {"genus": "Ci", "cover": 0.6, "base_m": 9000, "top_m": 10000, "optical_depth": 1}]})");
+  const Ran ran =
+      runCloudgen({"build", *gfs, "--typing", sky, "--bbox", "-95,28,-65,47", "-o", folder.path() / "scene",
+                   "--json", "--formats", "splats", "--max-puffs", "20000"});
+  ASSERT_EQ(ran.exitCode, 0) << ran.err;
+  const json report = json::parse(ran.out);
+  expectFitsSchema(report, "report.schema.json");
+  const json& typing = report.at("typing");
+  EXPECT_GT(typing.at("typed_columns").get<int>(), 500);
+  EXPECT_GE(typing.at("agreement").get<double>(), 0.99);
+  EXPECT_NEAR(typing.at("cover_kept").get<double>(), 1, 0.02);
+  for (const auto& [genus, count] : report.at("genera").items())
+    EXPECT_TRUE(genus == "Cu" || genus == "Ci") << genus;
+}
+
+TEST(Inputs, TypingFarAwayInTimeIsRefused) {
+  Scratch folder;
+  const std::string model = folder.write("model.sky.json", smallSky());
+  const std::string typing = folder.write("typing.sky.json", R"({
+    "cloudgen_sky": 1, "valid_time": "2001-01-01T00:00:00Z", "bbox": [-123, 36, -121, 38],
+    "layers": [{"genus": "Cu", "cover": 0.4, "base_m": 1200, "top_m": 2400, "optical_depth": 10}]})");
+  const Ran ran = runCloudgen({"build", model, "--typing", typing, "-o", folder.path() / "scene"});
+  EXPECT_EQ(ran.exitCode, 1);
+  EXPECT_NE(ran.err.find("--typing-window"), std::string::npos) << ran.err;
+}
+
+}  // namespace
