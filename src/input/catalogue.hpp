@@ -11,8 +11,9 @@
 
 namespace cloudgen::input {
 
-/// Opens input files with the reader that knows their format (by content, not by name).
-/// Throws InputError: missing, empty, truncated, unknown format, no cloud field.
+/// Opens input files with the reader that knows their format (by content, by name only where the format has
+/// no header). A folder stands for the files in it that a reader knows, by name, unless a reader knows the
+/// folder as such. Throws InputError: missing, empty, truncated, unknown format, no cloud field.
 std::unique_ptr<field::Source> open(const std::vector<std::filesystem::path>& files,
                                     const OpenOptions& options = {});
 

@@ -121,16 +121,23 @@ class Handle {
 }  // namespace
 
 std::vector<double> decodedValues(const FieldLocation& location, std::size_t count) {
-  constexpr double kMissing = -1e100;
+  std::vector<double> values;
+  decodeValues(location, count, values);
+  for (double& value : values)
+    if (value == kMissingValue || !std::isfinite(value)) value = std::numeric_limits<double>::quiet_NaN();
+  return values;
+}
+
+void decodeValues(const FieldLocation& location, std::size_t count, std::vector<double>& values) {
   std::array<std::string, 8> sections = readSections(location);
   checkPacking(location, sections, count);
   const Handle handle(location.edition == 1 ? message1(sections) : valuesMessage2(sections, count),
                       location.name());
   sections = {};
-  std::vector<double> values(count);
+  values.resize(count);
   std::size_t stated = 0, read = count;
   const int code = handle.guarded([&] {
-    codes_set_double(handle.get(), "missingValue", kMissing);
+    codes_set_double(handle.get(), "missingValue", kMissingValue);
     const int sized = codes_get_size(handle.get(), "values", &stated);
     if (sized != CODES_SUCCESS || stated != count) return sized;
     return codes_get_double_array(handle.get(), "values", values.data(), &read);
@@ -138,9 +145,6 @@ std::vector<double> decodedValues(const FieldLocation& location, std::size_t cou
   if (code != CODES_SUCCESS) handle.fail(fmt::format("has damaged data ({})", codes_get_error_message(code)));
   if (stated != count || read != count)
     handle.fail(fmt::format("holds {} values where its grid has {} points", std::min(stated, read), count));
-  for (double& value : values)
-    if (value == kMissing || !std::isfinite(value)) value = std::numeric_limits<double>::quiet_NaN();
-  return values;
 }
 
 std::string shortNameOf(const FieldHead& head) {

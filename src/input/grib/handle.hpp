@@ -15,6 +15,13 @@ namespace cloudgen::input::grib {
 /// damaged data, and unless there are `count`.
 std::vector<double> decodedValues(const FieldLocation& location, std::size_t count);
 
+/// What decodeValues() gives for a missing value.
+inline constexpr double kMissingValue = -1e100;
+
+/// The same as ecCodes gives them, into a vector that may serve again for the next message: with millions of
+/// values each pass over them counts.
+void decodeValues(const FieldLocation& location, std::size_t count, std::vector<double>& values);
+
 /// ecCodes' short name of a field, by its head; "unknown" where it has none.
 std::string shortNameOf(const FieldHead& head);
 

@@ -34,7 +34,7 @@ TEST(Open, SaysWhatIsWrongInOneLine) {
     return text.find(part) != std::string::npos && text.find('\n') == std::string::npos;
   };
   EXPECT_TRUE(says(complaint({scratch.path() / "nowhere"}), "no such file"));
-  EXPECT_TRUE(says(complaint({scratch.path()}), "is a folder"));
+  EXPECT_TRUE(says(complaint({scratch.path()}), "is a folder without a file"));
   EXPECT_TRUE(says(complaint({scratch.write("empty", "")}), "is empty"));
   EXPECT_TRUE(says(complaint({scratch.write("text", "hello")}), "no format"));
   EXPECT_TRUE(says(complaint({scratch.write("nc", "CDF\x01")}), "NetCDF"));
@@ -42,6 +42,16 @@ TEST(Open, SaysWhatIsWrongInOneLine) {
   EXPECT_TRUE(
       says(complaint({scratch.write("a", kSky), scratch.write("b", "GRIB")}), "one format at a time"));
   EXPECT_TRUE(says(complaint({scratch.write("a", kSky), scratch.write("b", kSky)}), "one at a time"));
+}
+
+TEST(Open, TakesTheFilesOfAFolderThatItKnows) {
+  const test::Scratch scratch;
+  scratch.write("notes.txt", "hello");
+  scratch.write("nothing", "");
+  const auto sky = scratch.write("sky.json", kSky);
+  EXPECT_EQ(open({scratch.path()})->info().files, std::vector{sky.string()});
+  scratch.write("more.json", kSky);
+  EXPECT_NE(complaint({scratch.path()}).find("one at a time"), std::string::npos);
 }
 
 TEST(Open, JoinsTheFieldsOfSeveralGribFiles) {
