@@ -49,8 +49,7 @@ Origin locateOrigin(const field::Source& source, const field::Grid& grid, const 
     throw base::InputError("--bbox " + boxText(box), "lies outside the model's domain " + boxText(whole),
                            "choose a box inside the domain");
   const base::LocalFrame frame(box);
-  Ground ground = groundOf(source, frame, cells);
-  Origin origin{frame, std::move(cells), std::move(ground), {}, {}, {}};
+  Origin origin{frame, std::move(cells), groundOf(source, frame), {}, {}, {}};
   origin.sun = sunFor(source, box, options, origin.warnings);
   origin.sky = light::skyUnder(origin.sun);
   return origin;

@@ -137,8 +137,9 @@ Orography orographyAt(const field::Source& source, const std::vector<Support>& p
 
 }  // namespace
 
-Ground groundOf(const field::Source& source, const base::LocalFrame& frame,
-                const std::vector<std::uint32_t>& cells) {
+Ground groundOf(const field::Source& source, const base::LocalFrame& frame) {
+  const auto cells = field::cellsTouching(source.grid(), frame.box());
+  if (cells.empty()) return {};
   const std::vector<float> own = source.surface(cells).heightMeters;
   float lowest = std::numeric_limits<float>::max(), highest = -lowest;
   for (const float height : own)

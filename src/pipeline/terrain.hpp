@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <vector>
-
 #include "base/frame.hpp"
 #include "base/height_field.hpp"
 #include "field/cloud_table.hpp"
@@ -19,9 +17,8 @@ struct Ground {
 /// The model's own orography on a lattice over the scene's rectangle, at most 129 x 129 points, about two a
 /// cell of the model: a quadratic B-spline of the cells' heights, so that it has no steps. A ring of points
 /// beyond the rectangle lies at the lowest height. Points outside the model's grid take the height of the
-/// nearest one inside. `cells` are those of the scene.
-Ground groundOf(const field::Source& source, const base::LocalFrame& frame,
-                const std::vector<std::uint32_t>& cells);
+/// nearest one inside.
+Ground groundOf(const field::Source& source, const base::LocalFrame& frame);
 
 /// Moves the bases of clouds to the terrain of their own place: fog keeps its height above the ground of its
 /// cell, other clouds are lifted where the ground would reach into them.

@@ -24,7 +24,7 @@ TEST(GoodX3d, IsValidFromDiskAndCounted) {
   EXPECT_EQ(texts(result), "");
   EXPECT_TRUE(result.valid());
   EXPECT_EQ(result.bytes, scene.size());
-  EXPECT_EQ(result.nodes, 44u);
+  EXPECT_EQ(result.nodes, 47u);
   EXPECT_GT(result.elements, result.nodes);
 }
 

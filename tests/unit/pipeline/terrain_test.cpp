@@ -27,12 +27,6 @@ class HillSource : public test::MadeSource {
   std::uint32_t mountain = ~0u;
 };
 
-std::vector<std::uint32_t> allCells(const field::Source& source) {
-  std::vector<std::uint32_t> cells(source.grid().size());
-  for (std::uint32_t i = 0; i < cells.size(); ++i) cells[i] = i;
-  return cells;
-}
-
 double heightAt(const Ground& ground, const base::LocalFrame& frame, double longitude, double latitude) {
   const glm::dvec3 place = frame.toScene(longitude, latitude, 0);
   return ground.terrain.heightAt(place.x, place.z);
@@ -41,7 +35,7 @@ double heightAt(const Ground& ground, const base::LocalFrame& frame, double long
 TEST(Terrain, ASlopeStaysASlope) {
   const HillSource source(10, 44, 0.5, 12, 8);
   const base::LocalFrame frame({11, 45, 15, 47});
-  const Ground ground = groundOf(source, frame, allCells(source));
+  const Ground ground = groundOf(source, frame);
   ASSERT_FALSE(ground.terrain.empty());
   EXPECT_LE(ground.terrain.columns, 129);
   EXPECT_LE(ground.terrain.rows, 129);
@@ -56,7 +50,7 @@ TEST(Terrain, HasNoStepsBetweenCells) {
   source.slope = 0;
   source.mountain = source.grid().index(5, 4);
   const base::LocalFrame frame({11, 45, 15, 47});
-  const Ground ground = groundOf(source, frame, allCells(source));
+  const Ground ground = groundOf(source, frame);
   ASSERT_FALSE(ground.terrain.empty());
   const field::GeoPoint summit = field::centerOf(source.grid(), source.mountain);
   EXPECT_NEAR(heightAt(ground, frame, summit.longitudeDegrees, summit.latitudeDegrees), 0.75 * 0.75 * 2000,
@@ -71,7 +65,7 @@ TEST(Terrain, HasNoStepsBetweenCells) {
 
 TEST(Terrain, ItsBorderLiesAtTheLowestGround) {
   const HillSource source(10, 44, 0.5, 12, 8);
-  const Ground ground = groundOf(source, base::LocalFrame({11, 45, 15, 47}), allCells(source));
+  const Ground ground = groundOf(source, base::LocalFrame({11, 45, 15, 47}));
   const base::HeightField& terrain = ground.terrain;
   for (int column = 0; column < terrain.columns; ++column) {
     EXPECT_EQ(terrain.at(column, 0), ground.lowestMeters);
@@ -82,16 +76,16 @@ TEST(Terrain, ItsBorderLiesAtTheLowestGround) {
 TEST(Terrain, FlatOrUnknownGroundHasNone) {
   HillSource flat(10, 44, 0.5, 12, 8);
   flat.slope = 0;
-  EXPECT_TRUE(groundOf(flat, base::LocalFrame({11, 45, 15, 47}), allCells(flat)).terrain.empty());
+  EXPECT_TRUE(groundOf(flat, base::LocalFrame({11, 45, 15, 47})).terrain.empty());
   const test::MadeSource unknown(10, 44, 0.5, 12, 8);
-  const Ground ground = groundOf(unknown, base::LocalFrame({11, 45, 15, 47}), allCells(unknown));
+  const Ground ground = groundOf(unknown, base::LocalFrame({11, 45, 15, 47}));
   EXPECT_TRUE(ground.terrain.empty());
   EXPECT_EQ(ground.lowestMeters, 0);
 }
 
 TEST(Terrain, ReachesOverTheBordersOfTheGrid) {
   const HillSource source(11, 45, 0.5, 4, 4);
-  const Ground ground = groundOf(source, base::LocalFrame({10, 44, 14, 48}), allCells(source));
+  const Ground ground = groundOf(source, base::LocalFrame({10, 44, 14, 48}));
   ASSERT_FALSE(ground.terrain.empty());
   for (const float height : ground.terrain.heights) EXPECT_TRUE(std::isfinite(height));
 }
