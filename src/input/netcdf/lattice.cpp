@@ -49,8 +49,10 @@ bool runsOneWay(const std::vector<double>& values) {
 
 /// 350, 355, 0, 5 as 350, 355, 360, 365.
 void unwrap(std::vector<double>& longitudes) {
+  // Turning round absurd ones would never end.
+  for (const double longitude : longitudes)
+    if (!(std::abs(longitude) < 1e4)) return;
   for (std::size_t i = 1; i < longitudes.size(); ++i) {
-    if (!(std::abs(longitudes[i]) < 1e4)) return;
     while (longitudes[i] - longitudes[i - 1] > 180) longitudes[i] -= 360;
     while (longitudes[i] - longitudes[i - 1] < -180) longitudes[i] += 360;
   }

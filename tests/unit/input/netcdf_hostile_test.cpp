@@ -118,6 +118,7 @@ TEST(NetcdfHostile, CoordinatesThatMakeNoSenseAreRefused) {
   refused("lat", {50, 46, 48});
   refused("lat", {150, 148, 146});
   refused("lon", {10, 12, std::nan(""), 16});
+  refused("lon", {1e300, 12, 14, 16});
 }
 
 TEST(NetcdfHostile, NothingAboutCloudsIsSaid) {
