@@ -6,6 +6,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "input/grib/grib.hpp"
+#include "input/grib/handle.hpp"
 #include "input/grib/messages.hpp"
 #include "support/made_grib.hpp"
 #include "support/scratch.hpp"
@@ -205,6 +206,43 @@ TEST(GribPackings, TablesOfGroupsThatLieAreRefused) {
     const Contents contents = contentsOf(bad);
     const std::vector<std::uint32_t> cells{0};
     EXPECT_THROW(contents.fields.at(0).read(cells), base::InputError) << octet;
+  }
+}
+
+/// Fields of messages with several, bitmaps, every packing of the real files: what ecCodes reads is read.
+TEST(GribPackings, RealValuesAreThoseOfEcCodes) {
+  for (const char* name : {"gfs_2p5_20110110_f120.grib2", "eta_g211_lambert_20041208_f24.grib2",
+                           "ruc13_g212_2005080700_f12.grb", "wafs_thinned_reduced_ll_20070110.grib2",
+                           "cfs_flux_regular_gg_20060331.grb", "ifs_oper_20240101_10msgs.grib2"}) {
+    const fs::path path = fs::path(CLOUDGEN_SHARED_DIR) / "data" / name;
+    if (!fs::exists(path)) GTEST_SKIP() << "no " << path;
+    const auto heads = input::grib::locateFields(path);
+    codes_grib_multi_support_on(nullptr);
+    std::FILE* file = std::fopen(path.c_str(), "rb");
+    int error = 0;
+    std::size_t index = 0;
+    while (codes_handle* handle = codes_handle_new_from_file(nullptr, file, PRODUCT_GRIB, &error)) {
+      ASSERT_LT(index, heads.size());
+      if (index % 7 == 0) {
+        std::size_t count = 0;
+        codes_set_double(handle, "missingValue", 1e30);
+        codes_get_size(handle, "values", &count);
+        std::vector<double> expected(count);
+        codes_get_double_array(handle, "values", expected.data(), &count);
+        const auto values = input::grib::decodedValues(heads[index].location, count);
+        for (std::size_t i = 0; i < count; ++i) {
+          if (std::isnan(values[i]) ? expected[i] != 1e30 : values[i] != expected[i]) {
+            ADD_FAILURE() << name << " field " << index << " value " << i;
+            break;
+          }
+        }
+      }
+      codes_handle_delete(handle);
+      ++index;
+    }
+    std::fclose(file);
+    codes_grib_multi_support_off(nullptr);
+    EXPECT_EQ(index, heads.size()) << name;
   }
 }
 
