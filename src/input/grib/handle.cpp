@@ -24,6 +24,7 @@ void throwAssertion(const char* message) {
 }
 
 /// ecCodes may read past the end of a damaged message before it notices; so far at least it finds zeros.
+/// Values of up to 32 bits may follow from any offset of two octets in second order packing.
 constexpr std::size_t kPadding = 65536;
 
 void ignoreLog(const grib_context*, int, const char*) {}
@@ -82,10 +83,11 @@ std::string message1(const std::array<std::string, 8>& sections) {
 /// A handle of ecCodes over bytes that it keeps.
 class Handle {
  public:
-  Handle(std::string bytes, std::string where) : bytes_(std::move(bytes)), where_(std::move(where)) {
+  Handle(std::string bytes, std::string where, std::size_t padding = kPadding)
+      : bytes_(std::move(bytes)), where_(std::move(where)) {
     codes_context* context = quietContext();
     const std::size_t size = bytes_.size();
-    bytes_.resize(size + kPadding);
+    bytes_.resize(size + padding);
     handle_ = guarded([&] { return codes_handle_new_from_message(context, bytes_.data(), size); });
     if (!handle_) fail("cannot be decoded by ecCodes");
   }
@@ -132,7 +134,7 @@ void decodeValues(const FieldLocation& location, std::size_t count, std::vector<
   std::array<std::string, 8> sections = readSections(location);
   checkPacking(location, sections, count);
   const Handle handle(location.edition == 1 ? message1(sections) : valuesMessage2(sections, count),
-                      location.name());
+                      location.name(), location.edition == 1 ? 2 * kPadding + 4 * count : kPadding);
   sections = {};
   values.resize(count);
   std::size_t stated = 0, read = count;

@@ -167,6 +167,61 @@ void checkPacking2(const FieldLocation& location, const std::array<std::string, 
   }
 }
 
+/// Groups of ECMWF's extension of second order packing: all tables are there, lengths add up.
+void checkExtended(const Octets& o, std::string_view section, std::uint64_t coded) {
+  const std::uint64_t order = o.whole(14, 1) & 0x03, firstBits = o.whole(11, 1),
+                      groups = o.whole(17, 2) + 65536 * o.whole(21, 1), widthBits = o.whole(22, 1),
+                      lengthBits = o.whole(23, 1), differenceBits = order ? o.whole(26, 1) : 0;
+  require(widthBits <= kMostBits && lengthBits <= kMostBits && differenceBits <= kMostBits, o,
+          "groups of absurd widths");
+  require(order <= coded && groups <= coded, o, "more groups than values");
+  Bits bits(section.substr(order ? 26 : 25));
+  const auto table = [&](std::uint64_t count, std::uint64_t width) {
+    require((count * width + 7) / 8 * 8 <= bits.left(), o, "fewer octets than its groups need");
+    const Bits start = bits;
+    bits.skip(count * width);
+    bits.toWholeByte();
+    return start;
+  };
+  table(order ? order + 1 : 0, differenceBits);
+  Bits widths = table(groups, widthBits), lengths = table(groups, lengthBits);
+  table(groups, firstBits);
+  std::uint64_t values = order, needed = 0;
+  for (std::uint64_t group = 0; group < groups; ++group) {
+    const std::uint64_t width = widths.next(widthBits), length = lengths.next(lengthBits);
+    require(width <= kMostBits && length <= coded - values, o, "groups larger than its values");
+    values += length;
+    needed += width * length;
+  }
+  require(values == coded, o, "groups that do not add up to its values");
+  require(needed <= bits.left(), o, "fewer octets than its groups need");
+}
+
+/// Second order packing: groups by a second bitmap or by rows. What its offsets may lead to beyond the end is
+/// padding (see handle.cpp).
+void checkSecondOrder(const Octets& o, const std::array<std::string, 8>& sections, std::uint64_t coded) {
+  const std::uint64_t flags = o.whole(14, 1), groups = o.whole(17, 2) + 65536 * o.whole(21, 1);
+  require((flags & 0x40) == 0, o, "a matrix of values at each point");
+  if (flags & 0x08) return checkExtended(o, sections[4], coded);
+  const bool ownWidths = (flags & 0x10) != 0, bitmap = (flags & 0x20) != 0;
+  const std::uint64_t widths = ownWidths ? groups : 1;
+  require(groups <= coded && o.has(22, static_cast<std::size_t>(widths)), o, "more groups than values");
+  for (std::uint64_t i = 0; i < widths; ++i)
+    require(o.whole(22 + static_cast<std::size_t>(i), 1) <= kMostBits, o, "groups of absurd widths");
+  if (bitmap) {
+    const auto start = static_cast<std::size_t>(21 + widths);
+    require(o.has(start + 1, static_cast<std::size_t>((coded + 7) / 8)), o,
+            "fewer octets than its groups need");
+    const auto set =
+        presentPoints(std::string_view(sections[4]).substr(start), static_cast<std::size_t>(coded));
+    return require(set == groups && (o.whole(start + 1, 1) & 0x80) != 0, o,
+                   "groups that its bitmap does not have");
+  }
+  const Octets grid(sections[2], o.where());
+  require(grid.size() >= 28 && groups == grid.whole((grid.whole(28, 1) & 0x20) ? 7 : 9, 2), o,
+          "another number of groups than of rows");
+}
+
 void checkPacking1(const FieldLocation& location, const std::array<std::string, 8>& sections,
                    std::size_t count) {
   const Octets bitmap(sections[3], location.name()), data(sections[4], location.name());
@@ -179,7 +234,7 @@ void checkPacking1(const FieldLocation& location, const std::array<std::string, 
   const std::uint64_t flags = data.whole(4, 1), bits = data.whole(11, 1);
   require(bits <= kMostBits, data, "values of absurd width");
   require((flags & 0x80) == 0, data, "spherical harmonics on a grid of points");
-  if (flags & 0x40) return;
+  if (flags & 0x40) return checkSecondOrder(data, sections, present);
   require(bits == 0 || (present * bits + 7) / 8 <= data.size() - 11, data, "fewer octets than values");
 }
 

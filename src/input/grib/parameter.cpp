@@ -95,7 +95,7 @@ constexpr Listed kTable2[] = {
     {74, kAnyCentre, {What::MiddleCover, "mcc", true}},
     {75, kAnyCentre, {What::HighCover, "hcc", true}},
     {130, kNcep, {What::SeaLevelPressure, "mslet"}},
-    {153, kAnyCentre, {What::CloudCondensate, "clwmr"}},
+    {153, kNcep, {What::CloudCondensate, "clwmr"}},
     {170, kNcep, {What::Rain, "rwmr"}},
     {171, kNcep, {What::Snow, "snmr"}},
     {178, kNcep, {What::CloudIce, "icmr"}},
@@ -178,11 +178,18 @@ constexpr std::pair<std::string_view, Parameter> kNames[] = {
     {"cswc", {What::Snow, "cswc"}},
 };
 
+/// NCEP's own, and those that use its tables: US Air Force and Navy, NOAA's research, NCAR.
+bool usesNcepTables(int centre) { return centre == kNcep || (centre >= 57 && centre <= 60); }
+
+bool isOf(int tableCentre, int centre) {
+  return tableCentre == kAnyCentre || tableCentre == centre ||
+         (tableCentre == kNcep && usesNcepTables(centre));
+}
+
 template <std::size_t count>
 std::optional<Parameter> listed(const Listed (&table)[count], const Product& product) {
   for (const Listed& entry : table)
-    if (entry.number == product.number && (entry.centre == kAnyCentre || entry.centre == product.centre))
-      return entry.parameter;
+    if (entry.number == product.number && isOf(entry.centre, product.centre)) return entry.parameter;
   return std::nullopt;
 }
 
@@ -192,10 +199,7 @@ std::optional<Parameter> parameterOf1(const Product& product) {
   if (product.table == 253)
     if (const auto own = listed(kTable253, product)) return own;
   const bool standard = product.table <= 127 || product.table == 253;
-  // Numbers from 128 on are each centre's own; this one is NCEP's.
-  if (!standard || (product.number == 153 && product.centre != kNcep && product.centre < 54))
-    return std::nullopt;
-  return listed(kTable2, product);
+  return standard ? listed(kTable2, product) : std::nullopt;
 }
 
 }  // namespace
@@ -204,7 +208,7 @@ std::optional<Parameter> parameterOf(const Product& product) {
   if (product.edition == 1) return parameterOf1(product);
   for (const Numbered& entry : kEdition2)
     if (entry.discipline == product.discipline && entry.category == product.category &&
-        entry.number == product.number && (entry.centre == kAnyCentre || entry.centre == product.centre))
+        entry.number == product.number && isOf(entry.centre, product.centre))
       return entry.parameter;
   return std::nullopt;
 }
@@ -212,7 +216,7 @@ std::optional<Parameter> parameterOf(const Product& product) {
 bool hasOwnNumbers(const Product& product) {
   constexpr int kLocal1 = 128, kLocal2 = 192;
   // What NCEP adds is in the tables above.
-  if (product.centre == kNcep) return false;
+  if (usesNcepTables(product.centre)) return false;
   if (product.edition == 1) return product.table >= kLocal1 || product.number >= kLocal1;
   return product.discipline >= kLocal2 || product.category >= kLocal2 || product.number >= kLocal2;
 }
