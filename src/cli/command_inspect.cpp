@@ -147,9 +147,9 @@ std::string inspectedText(const field::Source& source, const Survey& survey) {
   if (info.run) text += fmt::format("run:        {}\n", runText(info));
   text += timesText(info) + gridText(source.grid());
   if (!info.levels.values.empty())
-    text += fmt::format("levels:     {} {} levels, {:g} to {:g} {}\n", info.levels.values.size(),
+    text += fmt::format("levels:     {} {} levels, {:g} to {:g}{}{}\n", info.levels.values.size(),
                         info.levels.kind, info.levels.values.front(), info.levels.values.back(),
-                        info.levels.unit);
+                        info.levels.unit.empty() ? "" : " ", info.levels.unit);
   if (source.telling() == field::Telling::Layers) text += layersText(survey);
   std::vector<std::string> warnings;
   for (const field::Warning& warning : survey.warnings) warnings.push_back(warning.text);

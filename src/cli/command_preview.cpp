@@ -78,6 +78,7 @@ int preview(const PreviewLine& line, const Terminal& terminal) {
   image::Surroundings surroundings;
   surroundings.sun = light::sunFrom(file.sunAzimuthDegrees, file.sunElevationDegrees);
   surroundings.sky = light::skyUnder(surroundings.sun);
+  surroundings.terrain = file.terrain;
   const auto splats = splatsOf(file, surroundings.sun.direction);
   image::Camera camera;
   try {

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "base/noise.hpp"
 #include "light/color.hpp"
+#include "light/relief.hpp"
 
 namespace cloudgen::image {
 namespace {
@@ -18,6 +20,7 @@ constexpr double kHazeHeightMeters = 2200, kHazeLengthMeters = 60000;
 
 Backdrop::Backdrop(std::span<const Splat> splats, const Surroundings& surroundings)
     : surroundings_(surroundings) {
+  if (!surroundings.terrain.empty()) summit_ = surroundings.terrain.highest() + 1.0;
   if (splats.empty()) return;
   // The shadow falls along the sun; low suns are taken at 8 degrees so that it stays on the map.
   glm::dvec3 sun(surroundings.sun.direction);
@@ -91,21 +94,81 @@ float Backdrop::clarity(const glm::dvec3& eye, const glm::dvec3& point) const {
   return static_cast<float>(std::exp(-distance * std::max(0.0, mean) / kHazeLengthMeters));
 }
 
-glm::vec3 Backdrop::colorAlong(const glm::dvec3& eye, const glm::dvec3& direction) const {
-  if (direction.y > -1e-4) return light::srgbFromLinear(skyColor(direction));
-  const double distance = (eye.y - surroundings_.groundHeightMeters) / -direction.y;
-  const glm::dvec3 point = eye + direction * distance;
+double Backdrop::distanceToTerrain(const glm::dvec3& eye, const glm::dvec3& direction) const {
+  constexpr double kNowhere = std::numeric_limits<double>::infinity();
+  const base::HeightField& terrain = surroundings_.terrain;
+  if (terrain.empty()) return kNowhere;
+  // The part of the ray over the lattice and below its summit.
+  const glm::dvec3 lower(terrain.origin.x, surroundings_.groundHeightMeters, terrain.origin.y);
+  const glm::dvec3 upper(terrain.origin.x + (terrain.columns - 1) * terrain.step.x, summit_,
+                         terrain.origin.y + (terrain.rows - 1) * terrain.step.y);
+  double start = 0, end = kNowhere;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::abs(direction[axis]) < 1e-12) {
+      if (eye[axis] < lower[axis] || eye[axis] > upper[axis]) return kNowhere;
+      continue;
+    }
+    const double a = (lower[axis] - eye[axis]) / direction[axis],
+                 b = (upper[axis] - eye[axis]) / direction[axis];
+    start = std::max(start, std::min(a, b));
+    end = std::min(end, std::max(a, b));
+  }
+  if (!(start < end)) return kNowhere;
+  const auto clearance = [&](double distance) {
+    const glm::dvec3 point = eye + direction * distance;
+    return point.y - terrain.heightAt(point.x, point.z);
+  };
+  const int steps = std::clamp(
+      static_cast<int>((end - start) / (0.5 * std::min(terrain.step.x, terrain.step.y))) + 2, 8, 400);
+  double above = start;
+  for (int i = 1; i <= steps; ++i) {
+    const double next = start + (end - start) * i / steps;
+    if (clearance(next) > 0) {
+      above = next;
+      continue;
+    }
+    double below = next;
+    for (int halving = 0; halving < 24; ++halving) {
+      const double middle = 0.5 * (above + below);
+      (clearance(middle) > 0 ? above : below) = middle;
+    }
+    return below;
+  }
+  return kNowhere;
+}
+
+/// Linear colour of the ground at a point that is seen from a distance, in the clouds' shadow.
+glm::vec3 Backdrop::groundColor(const glm::dvec3& point, double distance) const {
   const double coarse = base::fractalNoise({point.x / 9000.0, 0.5, point.z / 9000.0}, 5, 101);
   const double fine =
       distance < 40000 ? base::fractalNoise({point.x / 420.0, 0.5, point.z / 420.0}, 3, 103) : 0.0;
-  // Relief of the ground fades where a pixel would hold many patches of it.
+  // Patches of the ground fade where a pixel would hold many of them.
   const double seen = 1.0 / (1.0 + std::pow(distance / 150000.0, 2.0));
-  glm::vec3 ground = surroundings_.sky.ground * static_cast<float>(1.0 + 0.45 * seen * coarse + 0.2 * fine);
+  const base::HeightField& terrain = surroundings_.terrain;
+  const bool relief = !terrain.empty() && terrain.covers(point.x, point.z);
+  glm::vec3 ground =
+      relief ? light::reliefColorAt(terrain, point.x, point.z, surroundings_.sun, surroundings_.sky)
+             : surroundings_.sky.ground;
+  ground *= static_cast<float>(1.0 + 0.45 * seen * coarse + 0.2 * fine);
   ground = glm::mix(ground, glm::vec3(1.2f, 1.05f, 0.85f) * ground,
                     static_cast<float>(seen * base::smoothStep(-0.1, 0.5, coarse)));
-  const float lit = std::exp(-0.55f * shadowAt(point.x, point.z));
-  ground *= 0.38f + 0.72f * lit;
-  return glm::mix(hazeColor(direction), light::srgbFromLinear(ground), clarity(eye, point));
+  // The shadow was thrown on the flat ground: higher ground meets it earlier along the sun.
+  const double up =
+      (point.y - surroundings_.groundHeightMeters) / std::max(0.14f, surroundings_.sun.direction.y);
+  const float lit = std::exp(-0.55f * shadowAt(point.x - surroundings_.sun.direction.x * up,
+                                               point.z - surroundings_.sun.direction.z * up));
+  return ground * (0.38f + 0.72f * lit);
+}
+
+glm::vec3 Backdrop::colorAlong(const glm::dvec3& eye, const glm::dvec3& direction) const {
+  double distance = distanceToTerrain(eye, direction);
+  if (!std::isfinite(distance)) {
+    if (direction.y > -1e-4) return light::srgbFromLinear(skyColor(direction));
+    distance = (eye.y - surroundings_.groundHeightMeters) / -direction.y;
+  }
+  const glm::dvec3 point = eye + direction * distance;
+  return glm::mix(hazeColor(direction), light::srgbFromLinear(groundColor(point, distance)),
+                  clarity(eye, point));
 }
 
 }  // namespace cloudgen::image

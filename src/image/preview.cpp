@@ -101,8 +101,13 @@ void drawTile(Picture& picture, const View& view, const Backdrop& backdrop, cons
     for (int x = tileX; x < std::min(tileX + kTile, view.width); ++x) {
       glm::vec3 color(0);
       float open = 1;
+      const glm::dvec3 ray((x + 0.5 - 0.5 * view.width) / view.focal,
+                           (0.5 * view.height - y - 0.5) / view.focal, -1.0);
+      const glm::dvec3 direction = glm::normalize(view.axes * ray);
+      const double hidden = backdrop.distanceToTerrain(view.eye, direction) / glm::length(ray);
       for (const std::uint32_t index : order) {
         const Drawn& splat = drawn[index];
+        if (splat.depth > hidden) break;
         const float dx = x + 0.5f - splat.x, dy = y + 0.5f - splat.y;
         const float r2 = splat.a * dx * dx + 2 * splat.b * dx * dy + splat.c * dy * dy;
         if (r2 > 9.0f) continue;
@@ -111,11 +116,7 @@ void drawTile(Picture& picture, const View& view, const Backdrop& backdrop, cons
         open *= 1 - alpha;
         if (open < 0.004f) break;
       }
-      if (open >= 0.004f) {
-        const glm::dvec3 ray((x + 0.5 - 0.5 * view.width) / view.focal,
-                             (0.5 * view.height - y - 0.5) / view.focal, -1.0);
-        color += open * backdrop.colorAlong(view.eye, glm::normalize(view.axes * ray));
-      }
+      if (open >= 0.004f) color += open * backdrop.colorAlong(view.eye, direction);
       picture.at(x, y) = color;
     }
 }
@@ -194,6 +195,11 @@ Camera cameraFor(std::string_view name, std::span<const Splat> splats, const Sur
   camera.height = height;
   const glm::dvec3 size = upper - lower;
   const double across = std::max(size.x, size.z), ground = surroundings.groundHeightMeters;
+  const auto groundUnder = [&](const glm::dvec3& place) {
+    const base::HeightField& terrain = surroundings.terrain;
+    const bool relief = !terrain.empty() && terrain.covers(place.x, place.z);
+    return relief ? std::max(ground, terrain.heightAt(place.x, place.z)) : ground;
+  };
   if (name == "top") {
     const double aspect = static_cast<double>(width) / height;
     camera.target = {0.5 * (lower.x + upper.x), ground, 0.5 * (lower.z + upper.z)};
@@ -206,6 +212,7 @@ Camera cameraFor(std::string_view name, std::span<const Splat> splats, const Sur
     const glm::dvec3 crowd = densestPlace(splats, lower, across);
     camera.eye = glm::dvec3(crowd.x, ground + 20, crowd.z) +
                  away * std::min(2.2 * crowd.y + 4000.0, 0.8 * across + 3000);
+    camera.eye.y = groundUnder(camera.eye) + 20;
     camera.target = glm::dvec3(crowd.x, std::min(0.6 * upper.y, crowd.y * 1.2), crowd.z);
     camera.verticalFieldDegrees = 55;
   } else if (name == "horizon") {

@@ -5,6 +5,7 @@
 #include <glm/vec3.hpp>
 #include <span>
 
+#include "base/height_field.hpp"
 #include "base/progress.hpp"
 #include "image/picture.hpp"
 #include "light/sky.hpp"
@@ -31,6 +32,7 @@ struct Surroundings {
   light::Sun sun;
   light::Sky sky;
   float groundHeightMeters = 0;
+  base::HeightField terrain;  ///< its border lies at groundHeightMeters; may be empty
 };
 
 /// Draws splats over sky and ground, nearest first, with haze that thins with height and the clouds' shadow

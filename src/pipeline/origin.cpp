@@ -48,7 +48,9 @@ Origin locateOrigin(const field::Source& source, const field::Grid& grid, const 
   if (cells.empty())
     throw base::InputError("--bbox " + boxText(box), "lies outside the model's domain " + boxText(whole),
                            "choose a box inside the domain");
-  Origin origin{base::LocalFrame(box), std::move(cells), {}, {}, {}};
+  const base::LocalFrame frame(box);
+  Ground ground = groundOf(source, frame, cells);
+  Origin origin{frame, std::move(cells), std::move(ground), {}, {}, {}};
   origin.sun = sunFor(source, box, options, origin.warnings);
   origin.sky = light::skyUnder(origin.sun);
   return origin;

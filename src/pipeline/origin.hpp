@@ -7,6 +7,7 @@
 #include "field/source.hpp"
 #include "light/sky.hpp"
 #include "pipeline/options.hpp"
+#include "pipeline/terrain.hpp"
 
 namespace cloudgen::pipeline {
 
@@ -14,15 +15,16 @@ namespace cloudgen::pipeline {
 struct Origin {
   base::LocalFrame frame;
   std::vector<std::uint32_t> cells;  ///< grid cells that touch the box, ascending
+  Ground ground;
   light::Sun sun;
   light::Sky sky;
   std::vector<std::string> warnings;
 };
 
-/// Scene frame, the model cells in it, and the sun. A sun below 8 degrees leaves a scene nobody can judge: it
-/// is then lit as at 10 h local solar time of the same day, and a warning says so; --sun decides otherwise.
-/// `grid` is the one whose cells the clouds stand in: the source's, or a finer typing's. Throws InputError if
-/// the box lies outside the grid.
+/// Scene frame, the model cells in it, the ground, and the sun. A sun below 8 degrees leaves a scene nobody
+/// can judge: it is then lit as at 10 h local solar time of the same day, and a warning says so; --sun
+/// decides otherwise. `grid` is the one whose cells the clouds stand in: the source's, or a finer typing's.
+/// Throws InputError if the box lies outside the grid.
 Origin locateOrigin(const field::Source& source, const field::Grid& grid, const Options& options);
 
 }  // namespace cloudgen::pipeline

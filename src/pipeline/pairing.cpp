@@ -89,41 +89,25 @@ class TypingInModelCell {
 
   /// Finds the layer of the model that each typed layer meets; those that meet none keep their own amount.
   void meet() {
-    std::vector<Met> alone;
     for (const FineCell& cell : cells_)
       for (const Layer* typed : cell.layers) {
         const int w = nearest(*typed, water_, kWithinMeters);
         if (w >= 0)
           met_[static_cast<std::size_t>(w)].push_back({&cell, typed});
         else
-          alone.push_back({&cell, typed});
+          standAlone(cell, *typed);
       }
-    // Water that meets no typing and finds no clear cell goes to the nearest typed layers after all.
-    for (std::size_t w = 0; w < water_.size(); ++w)
-      if (met_[w].empty() && clear_ <= 0) takeNearest(*water_[w], met_[w], alone);
-    for (const Met& one : alone) {
-      ++pairing_.typingAlone;
-      pairing_.addedCover += one.typed->fraction * one.cell->areaSquareMeters;
-      Layer layer = *one.typed;
-      if (isTyped(layer)) layer.rule = "typing.alone";
-      out_.push_back(layer);
-    }
   }
 
-  static void takeNearest(const Layer& water, std::vector<Met>& met, std::vector<Met>& alone) {
-    std::map<const FineCell*, Met> best;
-    for (const Met& one : alone) {
-      const auto [found, isNew] = best.emplace(one.cell, one);
-      if (!isNew && std::abs(middle(*one.typed) - middle(water)) <
-                        std::abs(middle(*found->second.typed) - middle(water)))
-        found->second = one;
-    }
-    for (const Met& one : alone)
-      if (best.at(one.cell).typed == one.typed) met.push_back(one);
-    std::erase_if(alone, [&](const Met& one) { return best.at(one.cell).typed == one.typed; });
+  void standAlone(const FineCell& cell, const Layer& typed) {
+    ++pairing_.typingAlone;
+    pairing_.addedCover += typed.fraction * cell.areaSquareMeters;
+    Layer layer = typed;
+    if (isTyped(layer)) layer.rule = "typing.alone";
+    out_.push_back(layer);
   }
 
-  /// Gives the cover of a layer of the model to the typed layers it meets, what does not fit to clear cells.
+  /// Gives the cover of a layer of the model to the typed layers it meets, what does not fit to other cells.
   void share(const Layer& water, const std::vector<Met>& met) {
     double wanted = water.fraction * area_;
     pairing_.modelCover += wanted;
@@ -136,7 +120,7 @@ class TypingInModelCell {
       out_.push_back(typedWithWater(*one.typed, water, cover, "typing"));
     }
     const double rest = wanted - given;
-    if (clear_ > 0 && rest > kLeastCover * wanted) given += spread(water, met, rest);
+    if (rest > kLeastCover * wanted) given += spread(water, met, rest);
     pairing_.keptCover += given;
     if (met.empty()) ++pairing_.modelAlone;
   }
@@ -158,23 +142,33 @@ class TypingInModelCell {
     return 0.5 * (low + high);
   }
 
-  /// The rest of a layer of the model in the cells that the typing leaves clear, alike in all of them.
+  /// The rest of a layer of the model, alike in all cells that the typing leaves clear; if there is none, in
+  /// those whose typed layers do not meet it.
   double spread(const Layer& water, const std::vector<Met>& met, double rest) {
-    const auto cover = static_cast<float>(std::min(1.0, rest / clear_));
-    double given = 0;
+    std::set<const FineCell*> meeting;
+    for (const Met& one : met) meeting.insert(one.cell);
+    const auto takes = [&](const FineCell& cell) {
+      return clear_ > 0 ? cell.layers.empty() : !meeting.contains(&cell);
+    };
+    double area = 0;
+    for (const FineCell& cell : cells_) area += takes(cell) ? cell.areaSquareMeters : 0;
+    if (area <= 0) return 0;
+    const auto cover = static_cast<float>(std::min(1.0, rest / area));
     for (const FineCell& cell : cells_) {
-      if (!cell.layers.empty()) continue;
+      if (!takes(cell)) continue;
       Layer layer = water;
       layer.cell = cell.cell;
       layer.fraction = cover;
-      if (!met.empty() && isTyped(*met.front().typed)) {
-        layer.genus = met.front().typed->genus;
+      const int own = nearest(water, cell.layers, kAnyReach);
+      const Layer* typed =
+          own >= 0 ? cell.layers[static_cast<std::size_t>(own)] : (met.empty() ? nullptr : met.front().typed);
+      if (typed && isTyped(*typed)) {
+        layer.genus = typed->genus;
         layer.rule = "typing.spread";
       }
-      given += cover * cell.areaSquareMeters;
       out_.push_back(layer);
     }
-    return given;
+    return cover * area;
   }
 
   std::vector<FineCell> cells_;

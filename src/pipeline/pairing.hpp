@@ -40,7 +40,8 @@ base::GeoBox grownBox(const field::Grid& model, const field::Grid& typing, const
 /// structure. A typed layer and a layer of the model are one cloud where they overlap in height or come
 /// within 1000 m.
 /// - Typing finer: each layer of a model cell gives its cover to the typed layers it meets there, in
-///   proportion to theirs (none over 1), the rest to clear cells; each keeps the typing's heights and takes
+///   proportion to theirs (none over 1), the rest to clear cells (or,
+/// where none is clear, to cells typed otherwise); each keeps the typing's heights and takes
 ///   the model's optical depth. So cover and water of a model cell are conserved.
 /// - Model finer: each of its layers takes the genus of the typed layer it meets; its amount stays.
 /// - A typed layer that meets none keeps the typing's own amount; a layer of the model that meets none keeps

@@ -89,6 +89,7 @@ Outcome run(const field::Source& source, const Options& options, const base::Pro
 
   progress.step("size", 0.35);
   sizeClouds(options, general, table);
+  standOnTerrain(origin.ground, origin.frame, table);
 
   progress.step("production", 0.4);
   outcome.scene = produce(table, origin, options, general, source.info().validTime, progress);

@@ -142,6 +142,8 @@ std::uint64_t cloudId(const field::Layer& layer, const field::Cloud& cloud) {
 scene::Scene produce(const field::CloudTable& table, const Origin& origin, const Options& options,
                      const Generalisation& general, base::UtcTime validTime, const base::Progress& progress) {
   scene::Scene scene{origin.frame, validTime, origin.sun, origin.sky, options.seed, {}, {}, {}, {}, {}, 0};
+  scene.groundHeightMeters = origin.ground.lowestMeters;
+  scene.terrain = origin.ground.terrain;
   std::map<ArchetypeKey, std::uint32_t> archetypeOf;
   std::map<std::pair<std::uint32_t, int>, std::uint32_t> litOf;
   std::vector<ArchetypeKey> keys;

@@ -40,18 +40,25 @@ struct Candidate {
   std::uint32_t number = 0;
 };
 
-/// Twice as many places by chance as clouds; the half where the unevenness is highest (softened by chance) is
-/// taken.
+/// How strongly separate clouds follow the unevenness: places thrown for one that is taken, and how much
+/// chance softens their rank.
+struct Clustering {
+  int places = 2;
+  double chance = 0.25;
+};
+
+/// More places by chance than clouds; those where the unevenness is highest (softened by chance) are taken.
 std::vector<Candidate> scattered(const field::Grid& grid, const Layer& layer, int count, double widthMeters,
-                                 std::uint64_t seed) {
+                                 std::uint64_t seed, const Clustering& clustering = {}) {
   std::vector<Candidate> candidates;
-  for (int i = 0; i < 2 * count; ++i) {
+  for (int i = 0; i < clustering.places * count; ++i) {
     base::RandomStream stream(seed, layer.cell, base::Purpose::CloudPlace,
                               layerItem(layer, static_cast<std::uint64_t>(i) + 1));
     Candidate candidate;
     const double u = stream.uniform(), v = stream.uniform();
     candidate.place = field::pointIn(grid, layer.cell, u, v);
-    candidate.rank = unevenness(candidate.place, 4 * widthMeters, layer, seed) + 0.25 * stream.gaussian();
+    candidate.rank =
+        unevenness(candidate.place, 4 * widthMeters, layer, seed) + clustering.chance * stream.gaussian();
     candidate.number = static_cast<std::uint32_t>(i);
     candidates.push_back(candidate);
   }
@@ -154,7 +161,7 @@ std::vector<Candidate> countedPlaces(const field::Grid& grid, const Layer& layer
   else if (layer.spacingMeters > 0)
     candidates = spaced(grid, layer, layer.cloudCount, layer.spacingMeters, seed);
   else
-    candidates = scattered(grid, layer, layer.cloudCount, 0.4 * width, seed);
+    candidates = scattered(grid, layer, layer.cloudCount, 0.4 * width, seed, {4, 0.05});
   keepHighest(candidates, static_cast<std::size_t>(layer.cloudCount));
   return candidates;
 }

@@ -26,6 +26,11 @@ shape::Puff placed(const Scene& scene, const Instance& instance, const shape::Pu
   return out;
 }
 
+float groundAt(const Scene& scene, double x, double z) {
+  if (scene.terrain.empty() || !scene.terrain.covers(x, z)) return scene.groundHeightMeters;
+  return std::max(scene.groundHeightMeters, static_cast<float>(scene.terrain.heightAt(x, z)));
+}
+
 float highestTop(const Scene& scene) {
   float top = 0;
   for (const CloudRecord& cloud : scene.clouds) top = std::max(top, cloud.topMeters);

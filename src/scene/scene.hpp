@@ -9,6 +9,7 @@
 
 #include "base/frame.hpp"
 #include "base/genus.hpp"
+#include "base/height_field.hpp"
 #include "base/time.hpp"
 #include "light/puff_light.hpp"
 #include "light/sky.hpp"
@@ -78,7 +79,8 @@ struct Scene {
   std::vector<LitArchetype> lit;
   std::vector<Instance> instances;
   std::vector<CloudRecord> clouds;
-  float groundHeightMeters = 0;
+  float groundHeightMeters = 0;  ///< lowest ground, and all of it where the terrain is empty
+  base::HeightField terrain;     ///< its border lies at groundHeightMeters
 };
 
 /// Number of puffs that are drawn when every instance is drawn in full.
@@ -89,6 +91,9 @@ shape::Puff placed(const Scene& scene, const Instance& instance, const shape::Pu
 
 /// Yaw of a step, radians.
 float yawRadians(int yawStep);
+
+/// Height of the ground at a place of the scene frame, metres.
+float groundAt(const Scene& scene, double x, double z);
 
 /// The top of the highest cloud, metres; 0 without clouds.
 float highestTop(const Scene& scene);

@@ -33,7 +33,7 @@ struct Input {
 const Input kInputs[] = {
     {"gfs_2p5_20110110_f120.grib2", "levels", 21, 1, "longlat", {"Xu & Randall"}, {"one_condensate"}},
     {"wrfout_katrina_mercator_20050828.nc", "levels", 14, 4, "merc", {}, {"liquid_holds_ice", "sphere"}},
-    {"era5_cirrus_16x8x4x13.nc", "levels", 4, 13, "longlat", {}, {"negative_condensate"}},
+    {"era5_cirrus_16x8x4x13.nc", "levels", 4, 13, "longlat", {}, {"several_times"}},
     {"gfs_icmr_17x17x3x7.nc", "levels", 3, 7, "longlat", {}, {}},
     {"eta_g211_lambert_20041208_f24.grib2", "levels", 19, 1, "lcc", {"RH"}, {"negative_cloud_height"}},
     {"ruc13_g212_2005080700_f00.grb", "levels", 39, 1, "lcc", {"RH", "hypsometric"}, {}},
@@ -41,10 +41,10 @@ const Input kInputs[] = {
     {"ruc13_g212_2005080700_f24.grb", "levels", 39, 1, "lcc", {"RH", "hypsometric"}, {}},
     {"wafs_thinned_reduced_ll_20070110.grib2", "levels", 11, 1, "longlat", {"RH"}, {}},
     {"ifs_oper_20240101_10msgs.grib2", "levels", 3, 1, "longlat", {"RH"}, {}},
-    {"icon-eu_CLCT_MOD_20220427_f047.grib2", "layers", 0, 1, "longlat", {}, {"cover_in_fractions"}},
-    {"cfs_flux_regular_gg_20060331.grb", "layers", 0, 1, "longlat", {}, {}},
+    {"icon-eu_CLCT_MOD_20220427_f047.grib2", "layers", 0, 1, "longlat", {}, {}},
+    {"cfs_flux_regular_gg_20060331.grb", "layers", 0, 1, "longlat", {}, {"averaged_cover"}},
     {"icon_ny-alesund_column_20210104.nc", "levels", 90, 25, "", {}, {}},
-    {"metar_collective.txt", "layers", 0, 0, "longlat", {}, {}},
+    {"metar_collective.txt", "layers", 0, 0, "longlat", {}, {"unknown_station"}},
 };
 
 void expectFitsSchema(const json& document, const std::string& schemaFile) {
@@ -106,10 +106,12 @@ TEST(Inputs, EveryRealFileIsInspectedAndBuilt) {
     expectFitsSchema(inspected, "inspect.schema.json");
     EXPECT_EQ(inspected.at("tells"), input.tells);
     EXPECT_EQ(inspected.at("levels").at("values").size(), input.levels);
-    if (input.times) EXPECT_EQ(inspected.at("valid_times").size(), input.times);
+    if (input.times > 0) {
+      EXPECT_EQ(inspected.at("valid_times").size(), input.times);
+    }
     EXPECT_NE(inspected.at("grid").at("crs").get<std::string>().find(input.gridCrs), std::string::npos);
     const auto ids = idsOf(inspected);
-    for (const char* id : input.warningIds) EXPECT_EQ(std::count(ids.begin(), ids.end(), id), 1) << id;
+    for (const char* id : input.warningIds) EXPECT_GE(std::count(ids.begin(), ids.end(), id), 1) << id;
 
     Scratch folder;
     const std::string out = folder.path() / "scene";

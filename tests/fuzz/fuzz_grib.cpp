@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -23,11 +24,12 @@ namespace {
 using namespace cloudgen;
 
 /// Two levels with all that a cloud needs.
-std::string goodFile(int edition) {
+std::string goodFile(int edition, const char* packing) {
   using test::Variable;
   std::string bytes;
   for (const int level : {850, 700}) {
     test::GribField field{edition, level};
+    field.packing = packing;
     if (level == 700) field.missing = {2};
     bytes += test::made(field.with(Variable::CloudWater, [](int i) { return i * 1e-4; }));
     bytes += test::made(field.with(Variable::Temperature, [&](int i) { return 190.0 + i + level / 10.0; }));
@@ -71,8 +73,18 @@ std::string patched(std::string bytes, const std::uint8_t* data, std::size_t siz
 extern "C" const char* __lsan_default_suppressions() { return "leak:libeccodes"; }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const std::string good[] = {goodFile(1), goodFile(2)};
+  // The order is part of the seeds: add at the end.
+  static const std::string good[] = {goodFile(1, "grid_simple"),
+                                     goodFile(2, "grid_simple"),
+                                     goodFile(2, "grid_complex"),
+                                     goodFile(2, "grid_complex_spatial_differencing"),
+                                     goodFile(2, "grid_jpeg"),
+                                     goodFile(2, "grid_ccsds"),
+                                     goodFile(2, "grid_ieee"),
+                                     goodFile(1, "grid_second_order"),
+                                     goodFile(1, "grid_second_order_no_SPD"),
+                                     goodFile(1, "grid_second_order_boustrophedonic")};
   readAll(std::string(reinterpret_cast<const char*>(data), size));
-  if (size > 0 && size <= 256) readAll(patched(good[data[0] % 2], data + 1, size - 1));
+  if (size > 0 && size <= 256) readAll(patched(good[data[0] % std::size(good)], data + 1, size - 1));
   return 0;
 }

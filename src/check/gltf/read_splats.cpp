@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "check/gltf/read_splats.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -106,6 +107,23 @@ void readPrimitive(const Glb& glb, const json& attributes, const glm::vec3& tran
   }
 }
 
+void readTerrain(const Glb& glb, const json& from, base::HeightField& terrain) {
+  terrain.columns = from.at("columns");
+  terrain.rows = from.at("rows");
+  terrain.origin = {from.at("origin").at(0), from.at("origin").at(1)};
+  terrain.step = {from.at("step").at(0), from.at("step").at(1)};
+  terrain.heights = from.at("heights_m").get<std::vector<float>>();
+  const auto within = [](double low, double value, double high) { return value >= low && value <= high; };
+  const bool sound = within(2, terrain.columns, 4096) && within(2, terrain.rows, 4096) &&
+                     within(-1e8, terrain.origin.x, 1e8) && within(-1e8, terrain.origin.y, 1e8) &&
+                     within(0.01, terrain.step.x, 1e7) && within(0.01, terrain.step.y, 1e7) &&
+                     terrain.heights.size() ==
+                         static_cast<std::size_t>(terrain.columns) * static_cast<std::size_t>(terrain.rows) &&
+                     std::all_of(terrain.heights.begin(), terrain.heights.end(),
+                                 [&](float height) { return within(-20000, height, 20000); });
+  if (!sound) glb.fail("has terrain that cannot be: its size or its heights are wrong");
+}
+
 }  // namespace
 
 SplatFile readSplats(const std::filesystem::path& file) {
@@ -130,6 +148,7 @@ SplatFile readSplats(std::string_view bytes, const std::string& where) {
       }
     }
     const json extras = root.value("asset", json::object()).value("extras", json::object());
+    if (extras.contains("terrain")) readTerrain(glb, extras["terrain"], out.terrain);
     if (extras.contains("sun")) {
       out.sunAzimuthDegrees = extras["sun"].value("azimuth_degrees", out.sunAzimuthDegrees);
       out.sunElevationDegrees = extras["sun"].value("elevation_degrees", out.sunElevationDegrees);

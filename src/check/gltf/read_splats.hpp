@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/height_field.hpp"
+
 namespace cloudgen::check {
 
 /// A splat as a viewer sees it: scene position, colours display-encoded.
@@ -22,6 +24,7 @@ struct ReadSplat {
 
 struct SplatFile {
   std::vector<ReadSplat> splats;
+  base::HeightField terrain;                                 ///< from the asset's extras; empty if not there
   double sunAzimuthDegrees = 180, sunElevationDegrees = 45;  ///< from the asset's extras, if there
 };
 

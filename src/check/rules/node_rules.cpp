@@ -170,6 +170,22 @@ void checkTurnsAndScales(const NodeRecord& node, FindingList& findings) {
   }
 }
 
+void checkGrid(const NodeRecord& node, FindingList& findings) {
+  const FieldFacts* height = node.fact("height");
+  const FieldFacts* columns = node.fact("xDimension");
+  const FieldFacts* rows = node.fact("zDimension");
+  if ((height && !height->readable) || (columns && !columns->readable) || (rows && !rows->readable)) return;
+  const double points = (columns ? columns->first[0] : 0) * (rows ? rows->first[0] : 0);
+  const std::uint64_t heights = height ? height->numbers : 0;
+  if (points < 0 || static_cast<double>(heights) != points)
+    findings.error(height ? height->where : node.where, "grid-height-count",
+                   fmt::format("{} heights for {:.0f} points", heights, points),
+                   "there are xDimension times zDimension heights, row by row");
+  else if (truth(node, "colorPerVertex", true))
+    checkEnough(height ? height->where : node.where, "color-count", tuplesIn(node, "color"), heights,
+                "colours", findings);
+}
+
 void checkAngles(const NodeRecord& node, std::string_view angles, std::string_view colours,
                  FindingList& findings) {
   const FieldFacts* angle = node.fact(angles);
@@ -191,6 +207,7 @@ void checkNode(const NodeRecord& node, FindingList& findings) {
   if (node.type == "IndexedTriangleSet") checkTriangles(node, findings);
   if (node.type == "IndexedFaceSet") checkFacesOrLines(node, 3, findings);
   if (node.type == "IndexedLineSet") checkFacesOrLines(node, 2, findings);
+  if (node.type == "ElevationGrid") checkGrid(node, findings);
   if (node.type == "LOD") checkLevels(node, findings);
   if (node.type == "Switch") checkSwitch(node, findings);
   if (node.type == "Background") {

@@ -29,7 +29,7 @@ constexpr std::string_view kBound = "SFBool set_bind!>, SFTime bindTime!<, SFBoo
 constexpr std::string_view kLerp = "SFFloat set_fraction!>, MFFloat key";
 constexpr std::string_view kMeta = "SFString name, SFString reference";
 
-constexpr std::array<Row, 39> kRows{{
+constexpr std::array<Row, 40> kRows{{
     {"Group", "Grouping", 1, 20, "child", "children", kGrouping},
     {"StaticGroup", "Grouping", 3, 30, "child", "children",
      "MFNode children=child!i, SFVec3f bboxCenter!i, SFVec3f bboxSize!i, SFBool bboxDisplay, SFBool visible"},
@@ -83,6 +83,10 @@ constexpr std::array<Row, 39> kRows{{
      "SFVec2f center, SFString mapping, SFFloat rotation, SFVec2f scale, SFVec2f translation"},
     {"IndexedTriangleSet", "Rendering", 3, 30, "geometry", "geometry",
      "+mesh, MFInt32 index!i, MFInt32 set_index!>"},
+    {"ElevationGrid", "Geometry3D", 3, 20, "geometry", "geometry",
+     "SFNode color=color, SFNode texCoord=texCoord, SFNode normal=normal, MFFloat set_height!>, MFFloat "
+     "height!i, SFBool ccw!i, SFBool colorPerVertex!i, SFFloat creaseAngle!i, SFBool normalPerVertex!i, "
+     "SFBool solid!i, SFInt32 xDimension!i, SFFloat xSpacing!i, SFInt32 zDimension!i, SFFloat zSpacing!i"},
     {"IndexedFaceSet", "Geometry3D", 2, 20, "geometry", "geometry",
      "+mesh, MFInt32 colorIndex!i, SFBool convex!i, MFInt32 coordIndex!i, SFFloat creaseAngle!i, MFInt32 "
      "normalIndex!i, MFInt32 texCoordIndex!i, MFInt32 set_colorIndex!>, MFInt32 set_coordIndex!>, MFInt32 "

@@ -178,7 +178,12 @@ std::string FieldLocation::name() const {
   return fmt::format("{}, message {} at byte {}", file->string(), message, messageOffset);
 }
 
-bool startsLikeGrib(std::string_view firstBytes) { return firstBytes.find("GRIB") != std::string_view::npos; }
+bool startsLikeGrib(std::string_view firstBytes) {
+  for (std::size_t at = firstBytes.find("GRIB"); at != std::string_view::npos;
+       at = firstBytes.find("GRIB", at + 1))
+    if (at + 7 < firstBytes.size() && (firstBytes[at + 7] == 1 || firstBytes[at + 7] == 2)) return true;
+  return firstBytes.starts_with("GRIB");
+}
 
 std::vector<FieldHead> locateFields(const std::filesystem::path& file) { return Scanner(file).fields(); }
 

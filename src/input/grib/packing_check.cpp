@@ -66,10 +66,11 @@ void checkGroups(const Octets& representation, std::string_view data, std::uint6
   Bits bits(data);
   if (differences) {
     const std::uint64_t order = o.whole(48, 1), octets = o.whole(49, 1);
-    require((order == 1 || order == 2) && octets <= 4, o, "differences of an unknown order");
-    require(octets >= 1 || groups == 0, o, "differences without their first values");
-    require((order + 1) * octets * 8 <= bits.left(), o, "fewer octets than its groups need");
-    bits.skip((order + 1) * octets * 8);
+    require(order <= 3 && octets <= 4, o, "differences of an unknown order");
+    const std::uint64_t first = order == 0 ? 0 : (order + 1) * octets * 8;
+    require(order == 0 || octets >= 1 || groups == 0, o, "differences without their first values");
+    require(order <= coded && first <= bits.left(), o, "fewer octets than its groups need");
+    bits.skip(first);
   }
   if (groups == 0) return require(coded == 0, o, "values without groups");
   require(groups <= coded, o, "more groups than values");

@@ -250,6 +250,34 @@ std::string_view partName(CloudPart part) {
   return kNames[static_cast<std::size_t>(part)];
 }
 
+bool hasWater(const ChosenLevel& level) {
+  return level.fields.contains(Quantity::CloudCondensate) || level.fields.contains(Quantity::CloudLiquid) ||
+         level.fields.contains(Quantity::CloudIce);
+}
+
+bool hasHumidity(const ChosenLevel& level) {
+  return level.fields.contains(Quantity::RelativeHumidity) ||
+         level.fields.contains(Quantity::SpecificHumidity);
+}
+
+/// Of a model with levels the single fields tell the ground, and where humidity makes the clouds, their base
+/// and top.
+bool isUsed(const Single& single, Basis basis) {
+  switch (single.kind) {
+    case SingleKind::CloudBaseHeight:
+    case SingleKind::CloudTopHeight:
+    case SingleKind::CloudBasePressure:
+    case SingleKind::CloudTopPressure:
+      return basis == Basis::Cover || (basis == Basis::Humidity && single.part == CloudPart::Total);
+    case SingleKind::CloudCover:
+      return basis == Basis::Cover;
+    default:
+      return true;
+  }
+}
+
+}  // namespace
+
 std::string singleName(const Single& single) {
   switch (single.kind) {
     case SingleKind::SurfacePressure:
@@ -273,13 +301,6 @@ std::string singleName(const Single& single) {
   }
   return fmt::format("{} cloud top pressure", partName(single.part));
 }
-
-bool hasWater(const ChosenLevel& level) {
-  return level.fields.contains(Quantity::CloudCondensate) || level.fields.contains(Quantity::CloudLiquid) ||
-         level.fields.contains(Quantity::CloudIce);
-}
-
-}  // namespace
 
 bool Choice::has(Quantity quantity) const {
   return std::any_of(levels.begin(), levels.end(),
@@ -335,6 +356,7 @@ field::LevelList levelList(const Choice& choice) {
   field::LevelList list;
   for (const ChosenLevel& level : choice.levels) {
     if (choice.basis == Basis::Water && !hasWater(level)) continue;
+    if (choice.basis == Basis::Humidity && !hasHumidity(level)) continue;
     list.kind = kindName(level.vertical.kind);
     list.unit = unitOf(level.vertical.kind);
     list.values.push_back(shownValue(level.vertical));
@@ -362,7 +384,16 @@ std::vector<std::string> fieldLines(const Choice& choice) {
                                 unitOf(lowest.kind).empty() ? "" : " ", unitOf(lowest.kind)));
   }
   for (const auto& [single, field] : choice.singles)
-    lines.push_back(fmt::format("{}: {}", singleName(single), field.name));
+    if (isUsed(single, choice.basis)) lines.push_back(fmt::format("{}: {}", singleName(single), field.name));
+  return lines;
+}
+
+std::vector<std::string> unusedLines(const Choice& choice) {
+  std::vector<std::string> lines;
+  for (const auto& [single, field] : choice.singles)
+    if (!isUsed(single, choice.basis))
+      lines.push_back(
+          fmt::format("{}: {} (clouds are taken from the levels)", singleName(single), field.name));
   return lines;
 }
 

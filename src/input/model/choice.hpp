@@ -45,6 +45,12 @@ Choice choose(const Contents& contents, const OpenOptions& options);
 /// "cloud condensate: clwmr on 21 pressure levels, 1000 to 100 hPa": one line a quantity.
 std::vector<std::string> fieldLines(const Choice& choice);
 
+/// Fields of the choice that clouds are not taken from, one line each.
+std::vector<std::string> unusedLines(const Choice& choice);
+
+/// "low cloud base pressure".
+std::string singleName(const Single& single);
+
 /// What is not in the files and how it will be made, one line each.
 std::vector<std::string> missingLines(const Choice& choice);
 

@@ -42,6 +42,7 @@ class ModelSource : public field::Source {
     info_.levels = levelList(choice_);
     info_.fields = fieldLines(choice_);
     info_.unused = contents.unused;
+    for (const std::string& line : unusedLines(choice_)) info_.unused.push_back(line);
     info_.missing = missingLines(choice_);
   }
 
@@ -270,8 +271,8 @@ class ModelSource : public field::Source {
       if (negative)
         info_.warnings.push_back(
             {"negative_cloud_height",
-             fmt::format("{} is negative in {} cells (down to {:g}): that means no cloud there", field.name,
-                         negative, least)});
+             fmt::format("{} is negative in {} cells (down to {:g}): that means no cloud there",
+                         singleName(single), negative, least)});
     }
   }
 

@@ -63,7 +63,7 @@ std::vector<field::Warning> gridWarnings(const field::Grid& grid) {
   if (radius && std::abs(*radius - kUsualRadius) > kDifference)
     warnings.push_back(
         {"sphere",
-         fmt::format("the grid lies on a sphere of {:g} m; its latitudes are taken as those of WGS84, as "
+         fmt::format("the grid lies on a sphere of {:.0f} m; its latitudes are taken as those of WGS84, as "
                      "the model means them",
                      *radius)});
   return warnings;

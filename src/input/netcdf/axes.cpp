@@ -136,6 +136,7 @@ Kind kindOf(const Variable& variable) {
 }
 
 Axes::Axes(const File& file) : file_(file), roles_(file.dimensions().size(), Role::Other) {
+  for (const Variable& variable : file.variables()) kinds_.push_back(kindOf(variable));
   takeCoordinates();
   takePairsOfTwoDimensions();
   takeNames();
@@ -147,7 +148,7 @@ void Axes::takeCoordinates() {
     if (variable.dimensions.size() != 1) continue;
     const std::size_t dimension = variable.dimensions.front();
     if (variable.name != file_.dimensions()[dimension].name) continue;
-    roles_[dimension] = roleOf(kindOf(variable));
+    roles_[dimension] = roleOf(kind(variable));
     named[dimension] = roles_[dimension] != Role::Other;
   }
   // Others along the same dimension speak where none has its name; latitude and longitude along one
@@ -175,7 +176,7 @@ void Axes::takeCoordinates() {
 void Axes::takePairsOfTwoDimensions() {
   for (const Variable& variable : file_.variables()) {
     const std::size_t rank = variable.dimensions.size();
-    if (rank < 2 || rank > 3 || kindOf(variable) != Kind::Latitude) continue;
+    if (rank < 2 || rank > 3 || kind(variable) != Kind::Latitude) continue;
     const std::size_t y = variable.dimensions[rank - 2], x = variable.dimensions[rank - 1];
     // Bounds of a 1-D coordinate look alike; their first dimension has a role.
     if (roles_[y] != Role::Other || roles_[x] != Role::Other || x == y) continue;
@@ -192,11 +193,15 @@ void Axes::takeNames() {
       roles_[dimension] = roleOfName(lowerCase(file_.dimensions()[dimension].name));
 }
 
+Kind Axes::kind(const Variable& variable) const {
+  return kinds_[static_cast<std::size_t>(&variable - file_.variables().data())];
+}
+
 const Variable* Axes::along(std::size_t dimension, std::initializer_list<Kind> kinds) const {
   const Variable* found = nullptr;
   for (const Variable& variable : file_.variables()) {
     if (variable.dimensions.size() != 1 || variable.dimensions.front() != dimension) continue;
-    if (std::find(kinds.begin(), kinds.end(), kindOf(variable)) == kinds.end()) continue;
+    if (std::find(kinds.begin(), kinds.end(), kind(variable)) == kinds.end()) continue;
     if (variable.name == file_.dimensions()[dimension].name) return &variable;
     if (!found) found = &variable;
   }
@@ -207,7 +212,7 @@ const Variable* Axes::scalar(Kind kind) const {
   for (const Variable& variable : file_.variables()) {
     const auto isOne = [&](std::size_t dimension) { return file_.dimensions()[dimension].length == 1; };
     if (std::all_of(variable.dimensions.begin(), variable.dimensions.end(), isOne) &&
-        kindOf(variable) == kind)
+        this->kind(variable) == kind)
       return &variable;
   }
   return nullptr;

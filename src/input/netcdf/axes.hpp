@@ -35,6 +35,8 @@ class Axes {
  public:
   explicit Axes(const File& file);
   Role role(std::size_t dimension) const { return roles_[dimension]; }
+  /// kindOf() a variable of the file, told once.
+  Kind kind(const Variable& variable) const;
   /// The 1-D variable along a dimension that measures one of the kinds; the one named like it is preferred.
   /// Null if there is none.
   const Variable* along(std::size_t dimension, std::initializer_list<Kind> kinds) const;
@@ -48,6 +50,7 @@ class Axes {
 
   const File& file_;
   std::vector<Role> roles_;
+  std::vector<Kind> kinds_;  ///< of the variables, in their order
 };
 
 /// A variable and which of its dimensions (counted in its own order) runs along what.

@@ -9,7 +9,7 @@ namespace cloudgen::input::netcdf {
 namespace {
 
 /// More are not a forecast but damage, and would fill the memory by their headers alone.
-constexpr std::size_t kMostFields = 4'000'000;
+constexpr std::size_t kMostFields = 1'000'000;
 
 }  // namespace
 
@@ -21,7 +21,7 @@ std::size_t Builder::gridIndex(const Horizontal& horizontal) {
 
 void Builder::add(model::Field field) {
   if (contents.fields.size() >= kMostFields)
-    throw base::InputError(field.where, "holds millions of levels and times",
+    throw base::InputError(field.where, "holds more than a million levels and times",
                            "give fewer files, or fewer times a file");
   contents.fields.push_back(std::move(field));
 }

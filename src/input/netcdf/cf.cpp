@@ -21,6 +21,9 @@ using model::Single;
 using model::SingleKind;
 
 constexpr double kGravity = 9.80665;
+/// Below this a height above ground is that of an instrument, not of a model level.
+constexpr double kInstrumentMeters = 50;
+constexpr std::size_t kMostMoments = 1 << 22, kMostMembers = 100000;
 /// Of dry air, R / c_p.
 constexpr double kKappa = 2.0 / 7.0;
 constexpr double kPotentialPa = 100000;
@@ -104,12 +107,18 @@ class CfFile {
     if (variable.dimensions.size() == 1 &&
         variable.name == file_->dimensions()[variable.dimensions.front()].name)
       return true;
-    const Kind kind = kindOf(variable);
+    const Kind kind = axes_.kind(variable);
     return kind != Kind::None && kind != Kind::Vertical;
   }
 
   bool isOnLevels(const Placed& placed) {
-    if (placed.vertical) return true;
+    if (placed.vertical) {
+      // "height = 0 m" or 2 m of a single length marks a surface field (MET Norway).
+      const std::size_t dimension = placed.variable->dimensions[*placed.vertical];
+      const auto& found = levels(dimension).levels;
+      return found.size() != 1 || found[0].kind != model::VerticalKind::HeightAboveGround ||
+             found[0].value >= kInstrumentMeters;
+    }
     std::vector<field::Warning> ignored;
     return !scalarLevel(*file_, *placed.variable, ignored).levels.empty();
   }
@@ -180,12 +189,32 @@ class CfFile {
     std::erase_if(stored_, [&](const Stored& stored) { return isGround(stored) && !isStation(stored); });
   }
 
+  /// Models on maps of their own mean winds along its axes unless they say "eastward".
+  bool isTakenAlongAxes(const Stored& stored) {
+    const Variable& variable = *stored.placed.variable;
+    if (!means(stored, Quantity::WindEast) && !means(stored, Quantity::WindNorth)) return false;
+    const std::string mapping = variable.text("grid_mapping");
+    const Variable* map = file_->find(mapping.substr(0, mapping.find_first_of(" :")));
+    if (!map || map->text("grid_mapping_name") == "latitude_longitude") return false;
+    if (!variable.text("standard_name").empty() || !variable.text("GRIB_shortName").empty()) return false;
+    builder_.warn(
+        "wind_axes_assumed",
+        fmt::format("{} does not say its direction: it is taken along the axes of the map", variable.name));
+    return true;
+  }
+
   std::size_t lengthOf(const Stored& stored, const std::optional<std::size_t>& dimension) const {
     return dimension ? file_->dimensions()[stored.placed.variable->dimensions[*dimension]].length : 1;
   }
 
   void addFields(const Stored& stored) {
     const Variable& variable = *stored.placed.variable;
+    if (lengthOf(stored, stored.placed.time) > kMostMoments ||
+        lengthOf(stored, stored.placed.step) >
+            kMostMoments / std::max<std::size_t>(1, lengthOf(stored, stored.placed.time)) ||
+        lengthOf(stored, stored.placed.member) > kMostMembers)
+      throw base::InputError(file_->where(variable), "is said to have absurdly many times",
+                             "fetch the file again");
     const Validity validity(*file_, axes_, stored.placed, warnings_);
     Levels levels;
     if (!isSingle(stored.meaning))
@@ -200,7 +229,7 @@ class CfFile {
     field.where = file_->where(variable);
     field.grid = builder_.gridIndex(*stored.horizontal);
     field.inPercent = stored.meaning.inPercent;
-    field.alongGridAxes = stored.meaning.alongGridAxes;
+    field.alongGridAxes = stored.meaning.alongGridAxes || isTakenAlongAxes(stored);
     for (std::size_t time = 0; time < lengthOf(stored, stored.placed.time); ++time)
       for (std::size_t step = 0; step < lengthOf(stored, stored.placed.step); ++step) {
         const Validity::Moment moment = validity.at(time, step);
@@ -235,7 +264,7 @@ class CfFile {
     if (!stored.placed.member) return members;
     const Variable* numbers =
         axes_.along(stored.placed.variable->dimensions[*stored.placed.member], {Kind::Member});
-    if (!numbers || members.size() > 100000) return members;
+    if (!numbers) return members;
     const std::vector<double> values = file_->values(*numbers);
     for (std::size_t i = 0; i < members.size(); ++i)
       if (std::abs(values[i]) < 1e9) members[i] = std::lround(values[i]);

@@ -13,7 +13,9 @@
 namespace cloudgen::input::netcdf {
 namespace {
 
-constexpr std::uint64_t kMostListed = 1 << 20, kMostName = 1 << 12;
+constexpr std::uint64_t kMostListed = 1 << 20;
+/// NC_MAX_NAME; netCDF-C copies longer names beyond the end of its callers' buffers.
+constexpr std::uint64_t kMostName = 256;
 enum Tag : std::uint64_t { kNothing = 0, kDimensions = 10, kVariables = 11, kAttributes = 12 };
 
 struct Placed {

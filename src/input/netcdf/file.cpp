@@ -23,6 +23,9 @@ constexpr std::size_t kCacheBytes = std::size_t{1} << 25;
 constexpr std::size_t kMostAttributeLength = std::size_t{1} << 16;
 constexpr int kMostGroupDepth = 16;
 
+/// Roomier than NC_MAX_NAME says, since netCDF-C does not always heed it.
+using NameBuffer = std::array<char, 16 * NC_MAX_NAME>;
+
 std::mutex& libraryMutex() {
   static std::mutex mutex;
   return mutex;
@@ -210,7 +213,7 @@ void File::readGroup(int group, int depth) {
   std::vector<int> ids(static_cast<std::size_t>(std::max(count, 0)));
   check(nc_inq_dimids(group, &count, ids.data(), 0), "has damaged dimensions");
   for (const int id : ids) {
-    std::array<char, NC_MAX_NAME + 1> name{};
+    NameBuffer name{};
     std::size_t length = 0;
     check(nc_inq_dim(group, id, name.data(), &length), "has a damaged dimension");
     if (dimensionOfId_.emplace(id, dimensions_.size()).second) dimensions_.push_back({name.data(), length});
@@ -229,7 +232,7 @@ void File::readGroup(int group, int depth) {
 }
 
 void File::readVariable(int group, int id) {
-  std::array<char, NC_MAX_NAME + 1> name{};
+  NameBuffer name{};
   std::array<int, NC_MAX_VAR_DIMS> dimensions{};
   nc_type type = NC_NAT;
   int rank = 0, attributes = 0;
@@ -261,7 +264,7 @@ void File::readVariable(int group, int id) {
 Attributes File::readAttributes(int group, int variable, int count) const {
   Attributes attributes;
   for (int i = 0; i < count; ++i) {
-    std::array<char, NC_MAX_NAME + 1> name{};
+    NameBuffer name{};
     nc_type type = NC_NAT;
     std::size_t length = 0;
     check(nc_inq_attname(group, variable, i, name.data()), "has a damaged attribute");

@@ -19,6 +19,8 @@ namespace {
 using Warnings = std::vector<field::Warning>;
 
 constexpr std::size_t kLongestAxis = 1 << 20;
+/// Of cells that are known by their places alone.
+constexpr std::size_t kMostPlaces = 1 << 24;
 
 bool contains(const std::vector<std::size_t>& dimensions, std::size_t dimension) {
   return std::find(dimensions.begin(), dimensions.end(), dimension) != dimensions.end();
@@ -40,7 +42,7 @@ std::string describe(const field::Grid& grid) {
 class Lattice {
  public:
   Lattice(const File& file, const Axes& axes, const Placed& placed, Warnings& warnings)
-      : file_(file), placed_(placed), warnings_(warnings) {
+      : file_(file), axes_(axes), placed_(placed), warnings_(warnings) {
     const std::vector<std::size_t>& dimensions = placed.variable->dimensions;
     xDimension_ = dimensions[*placed.x];
     yDimension_ = dimensions[*placed.y];
@@ -54,7 +56,8 @@ class Lattice {
     Horizontal result;
     result.columns = file_.dimensions()[xDimension_].length;
     result.rows = file_.dimensions()[yDimension_].length;
-    const bool geographic = x_ && y_ && kindOf(*x_) == Kind::Longitude && kindOf(*y_) == Kind::Latitude;
+    const bool geographic =
+        x_ && y_ && axes_.kind(*x_) == Kind::Longitude && axes_.kind(*y_) == Kind::Latitude;
     const bool mapped = x_ && y_ && !geographic && !crs_.empty();
     if (geographic || mapped) {
       try {
@@ -90,7 +93,7 @@ class Lattice {
       const Variable* found = nullptr;
       for (const Variable& variable : file_.variables()) {
         const std::size_t rank = variable.dimensions.size();
-        if (rank < 2 || rank > 3 || kindOf(variable) != kind) continue;
+        if (rank < 2 || rank > 3 || axes_.kind(variable) != kind) continue;
         if (!contains(variable.dimensions, xDimension_) || !contains(variable.dimensions, yDimension_))
           continue;
         if (rank == 3 && file_.dimensions()[variable.dimensions[0]].length == 0) continue;
@@ -218,6 +221,9 @@ class Lattice {
 
   Horizontal byCenters(Horizontal result) {
     const std::string where = file_.where(*latitude_);
+    if (result.columns == 0 || result.rows > kMostPlaces / result.columns)
+      return refusal(result,
+                     base::InputError(where, "has an absurd number of cells", "cut the file into parts"));
     result.key = fmt::format("centres {}x{}", result.columns, result.rows);
     try {
       for (const Sample& sample : samples())
@@ -255,6 +261,7 @@ class Lattice {
   }
 
   const File& file_;
+  const Axes& axes_;
   const Placed& placed_;
   Warnings& warnings_;
   std::size_t xDimension_ = 0, yDimension_ = 0;
@@ -280,7 +287,7 @@ Horizontal pointsOf(const File& file, const Axes& axes, const Placed& placed) {
   const Variable* latitude = axes.along(dimension, {Kind::Latitude});
   const Variable* longitude = axes.along(dimension, {Kind::Longitude});
   const std::size_t count = result.columns;
-  if (!latitude || !longitude || count == 0 || count > kLongestAxis * 64)
+  if (!latitude || !longitude || count == 0 || count > kMostPlaces)
     return refuse(fmt::format("lists {} cells without their places", count));
   const std::vector<double> x = file.values(*longitude), y = file.values(*latitude);
   const auto runOf = [&](const std::vector<double>& values) {
@@ -339,7 +346,7 @@ Horizontal columnOf(const File& file, const Axes& axes, const OpenOptions& optio
   const auto valueOf = [&](Kind kind) -> std::optional<double> {
     const Variable* found = axes.scalar(kind);
     for (const Variable& variable : file.variables())  // of a column that moves, where it starts
-      if (!found && variable.dimensions.size() == 1 && kindOf(variable) == kind) found = &variable;
+      if (!found && variable.dimensions.size() == 1 && axes.kind(variable) == kind) found = &variable;
     if (!found || file.size(*found) == 0 || file.size(*found) > kLongestAxis) return std::nullopt;
     const double value = file.values(*found).front();
     return std::isfinite(value) ? std::optional(value) : std::nullopt;

@@ -32,11 +32,13 @@ constexpr Single single(SingleKind kind, CloudPart part = CloudPart::Total) { re
 const std::array kOnLevels{
     Row{Quantity::CloudLiquid, Treatment::None, "1",
         "mass_fraction_of_cloud_liquid_water_in_air specific_cloud_liquid_water_content "
+        "specific_cloud_water_content "
         "mass_fraction_of_stratiform_cloud_liquid_water_in_air",
         "clwc ql qc clw specific_cloud_liquid_water_content mr_lsliq liquid_water_content_ml", "246"},
     Row{Quantity::CloudIce, Treatment::None, "1",
         "mass_fraction_of_cloud_ice_in_air mass_fraction_of_cloud_ice_water_in_air "
-        "specific_cloud_ice_water_content mass_fraction_of_stratiform_cloud_ice_in_air",
+        "specific_cloud_ice_water_content specific_cloud_ice_content "
+        "mass_fraction_of_stratiform_cloud_ice_in_air",
         "ciwc qi cli icmr specific_cloud_ice_water_content ice_water_mixing_ratio mr_lsice", "247 260019"},
     Row{Quantity::CloudLiquid, Treatment::PerDryAir, "1", "cloud_liquid_water_mixing_ratio", "", ""},
     Row{Quantity::CloudIce, Treatment::PerDryAir, "1", "cloud_ice_mixing_ratio", "", ""},
@@ -60,10 +62,11 @@ const std::array kOnLevels{
         "gh zg hgt geopotential_height", "156"},
     Row{Quantity::GeopotentialHeight, Treatment::DividedByGravity, "m2 s-2", "geopotential",
         "z phi geopotential fi", "129"},
-    Row{Quantity::Height, Treatment::None, "m", "altitude height_above_mean_sea_level",
-        "altitude alt zfull zlev", ""},
+    Row{Quantity::Height, Treatment::None, "m",
+        "altitude height_above_mean_sea_level geometric_height_at_full_level_center",
+        "altitude alt zfull zlev z_mc", ""},
     Row{Quantity::HeightAboveGround, Treatment::None, "m", "height", "height", ""},
-    Row{Quantity::Pressure, Treatment::None, "Pa", "air_pressure",
+    Row{Quantity::Pressure, Treatment::None, "Pa", "air_pressure pressure",
         "pressure pres p pf pfull pfl air_pressure", "54"},
     Row{Quantity::WindEast, Treatment::None, "m s-1", "eastward_wind",
         "u ua ugrd uwind u_wind u_component_of_wind eastward_wind", "131"},

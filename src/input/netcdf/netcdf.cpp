@@ -2,7 +2,9 @@
 #include "input/netcdf/netcdf.hpp"
 
 #include <cassert>
+#include <new>
 
+#include "base/error.hpp"
 #include "input/model/model_source.hpp"
 #include "input/netcdf/cf.hpp"
 #include "input/netcdf/classic_header.hpp"
@@ -19,7 +21,7 @@ std::string modelName(const File& file) {
     text = text.substr(0, std::min<std::size_t>(text.find('\n'), 80));
     if (!text.empty()) return text;
   }
-  return "unknown";
+  return file.text("history").find("ecmwf") != std::string::npos ? "ECMWF, by its history" : "unknown";
 }
 
 }  // namespace
@@ -54,7 +56,11 @@ bool isNetcdf(std::string_view firstBytes) {
 std::unique_ptr<field::Source> openNetcdf(const std::vector<std::filesystem::path>& files,
                                           const OpenOptions& options) {
   assert(!files.empty());
-  return model::makeSource(netcdf::readContents(files, options), options);
+  try {
+    return model::makeSource(netcdf::readContents(files, options), options);
+  } catch (const std::bad_alloc&) {
+    throw base::InputError(files.front().string(), "needs more memory than there is", "give smaller files");
+  }
 }
 
 }  // namespace cloudgen::input

@@ -11,6 +11,7 @@
 #include <mutex>
 #include <utility>
 
+#include "base/error.hpp"
 #include "base/text.hpp"
 
 namespace cloudgen::input::netcdf {
@@ -68,12 +69,13 @@ std::mutex& libraryMutex() {
   return mutex;
 }
 
-/// Null where UDUNITS finds no database of units.
 ut_system* unitSystem() {
   static ut_system* const system = [] {
     ut_set_error_message_handler(ut_ignore);
     return ut_read_xml(nullptr);
   }();
+  if (!system)
+    throw base::InputError("UDUNITS", "finds no database of units", "install the package libudunits2-data");
   return system;
 }
 
@@ -93,9 +95,8 @@ std::string respelled(std::string_view text) {
 Unit parsed(const std::string& text) {
   // UDUNITS takes blanks at the ends amiss.
   std::string trimmed = text;
-  return Unit(unitSystem()
-                  ? ut_parse(unitSystem(), ut_trim(trimmed.data(), UT_UTF8) ? trimmed.c_str() : "", UT_UTF8)
-                  : nullptr);
+  ut_system* const system = unitSystem();
+  return Unit(ut_parse(system, ut_trim(trimmed.data(), UT_UTF8), UT_UTF8));
 }
 
 std::optional<Conversion> between(const std::string& from, const std::string& to) {

@@ -22,8 +22,7 @@ bool has(const Variable& variable, const std::optional<std::size_t>& dimension) 
 
 Validity::Validity(const File& file, const Axes& axes, const Placed& placed,
                    std::vector<field::Warning>& warnings)
-    : file_(file), warnings_(warnings) {
-  (void)axes;
+    : file_(file), axes_(axes), warnings_(warnings) {
   if (placed.time) time_ = placed.variable->dimensions[*placed.time];
   if (placed.step) step_ = placed.variable->dimensions[*placed.step];
   named_ = " " + placed.variable->text("coordinates") + " ";
@@ -50,7 +49,7 @@ const Variable* Validity::find(Kind kind) const {
   const Variable* best = nullptr;
   int bestScore = -1;
   for (const Variable& variable : file_.variables()) {
-    if (variable.dimensions.size() > 2 || kindOf(variable) != kind || !covers(variable)) continue;
+    if (variable.dimensions.size() > 2 || axes_.kind(variable) != kind || !covers(variable)) continue;
     if (file_.size(variable) == 0 || file_.size(variable) > kMostTimes) continue;
     const bool own = time_ && variable.name == file_.dimensions()[*time_].name;
     const int score = 8 * (has(variable, time_) + has(variable, step_)) +

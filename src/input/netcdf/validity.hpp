@@ -36,6 +36,7 @@ class Validity {
   Series read(const Variable& variable, bool moment);
 
   const File& file_;
+  const Axes& axes_;
   std::vector<field::Warning>& warnings_;
   std::optional<std::size_t> time_, step_;
   std::string named_;

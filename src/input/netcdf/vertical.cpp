@@ -213,7 +213,7 @@ Levels levelsAlong(const File& file, const Axes& axes, std::size_t dimension, Wa
   // Numbers say little: another variable along the dimension may tell pressure or height.
   for (const Variable& variable : file.variables()) {
     if (variable.dimensions.size() != 1 || variable.dimensions.front() != dimension) continue;
-    if (kindOf(variable) != Kind::Vertical || variable.name == file.dimensions()[dimension].name) continue;
+    if (axes.kind(variable) != Kind::Vertical || variable.name == file.dimensions()[dimension].name) continue;
     Levels other = reading.of(&variable);
     if (other.levels.front().kind != VerticalKind::ModelLevel || !other.heightA.empty()) return other;
   }

@@ -17,7 +17,7 @@ namespace cloudgen::input::netcdf {
 namespace {
 
 constexpr double kTolerableMeters = 10;
-constexpr double kMostCells = 1 << 28;
+constexpr double kMostCells = 1 << 24;
 
 /// MAP_PROJ of the WRF registry: 1 Lambert, 2 polar stereographic, 3 Mercator, 6 latitude-longitude.
 enum MapProjection { kLambert = 1, kPolar = 2, kMercator = 3, kLatLon = 6 };

@@ -5,6 +5,7 @@
 
 #include "base/data_dir.hpp"
 #include "base/file.hpp"
+#include "light/relief.hpp"
 #include "writer/gltf/card_mesh.hpp"
 #include "writer/gltf/glb_file.hpp"
 #include "writer/gltf/gltf.hpp"
@@ -100,7 +101,7 @@ nlohmann::json cloudExtras(const scene::Scene& scene, const scene::Archetype& ar
           {"clouds", std::move(ids)}};
 }
 
-void addGround(GlbFile& file, const scene::Scene& scene) {
+void addFlatGround(GlbFile& file, const scene::Scene& scene) {
   const glm::dvec2 lower = scene.frame.lowerCorner(), upper = scene.frame.upperCorner(),
                    middle = glm::round(0.5 * (lower + upper));
   const glm::vec2 half(0.5 * (upper - lower)), shift(0.5 * (lower + upper) - middle);
@@ -115,12 +116,40 @@ void addGround(GlbFile& file, const scene::Scene& scene) {
       {.name = "ground", .mesh = mesh, .translation = {middle.x, scene.groundHeightMeters, middle.y}});
 }
 
+/// The terrain as a mesh; its colours hold sun and height, as the ground is unlit.
+void addTerrain(GlbFile& file, const scene::Scene& scene) {
+  const base::HeightField& terrain = scene.terrain;
+  const glm::dvec2 middle =
+      glm::round(terrain.origin + 0.5 * terrain.step * glm::dvec2(terrain.columns - 1, terrain.rows - 1));
+  std::vector<float> positions, normals;
+  std::vector<std::uint16_t> colors;
+  for (int row = 0; row < terrain.rows; ++row)
+    for (int column = 0; column < terrain.columns; ++column) {
+      const glm::vec3 point(terrain.point(column, row) - glm::dvec3(middle.x, 0, middle.y));
+      const glm::vec3 normal = terrain.normal(column, row);
+      positions.insert(positions.end(), {point.x, point.y, point.z});
+      normals.insert(normals.end(), {normal.x, normal.y, normal.z});
+      const glm::vec4 color(light::reliefColor(terrain, column, row, scene.sun, scene.sky), 1);
+      for (int i = 0; i < 4; ++i)
+        colors.push_back(static_cast<std::uint16_t>(std::lround(65535 * glm::clamp(color[i], 0.0f, 1.0f))));
+    }
+  const int mesh = file.addMesh("terrain", {.attributes = {{"POSITION", file.addFloats(3, positions, true)},
+                                                           {"NORMAL", file.addFloats(3, normals)},
+                                                           {"COLOR_0", file.addUnitShorts(colors)}},
+                                            .indices = file.addIndices(base::trianglesOf(terrain)),
+                                            .material = file.addPlainMaterial("terrain", glm::vec3(1))});
+  file.addNode({.name = "terrain", .mesh = mesh, .translation = {middle.x, 0, middle.y}});
+}
+
 }  // namespace
 
 void writeCards(const scene::Scene& scene, const Destination& destination) {
   GlbFile file(sceneExtras(scene));
   GenusMaterials materials(file);
-  addGround(file, scene);
+  if (scene.terrain.empty())
+    addFlatGround(file, scene);
+  else
+    addTerrain(file, scene);
   const auto groups = instancesByLight(scene);
   for (std::size_t g = 0; g < groups.size(); ++g) {
     destination.progress.step("glb", static_cast<double>(g) / static_cast<double>(groups.size()));

@@ -9,6 +9,9 @@ namespace cloudgen::writer::gltf {
 
 /// What a reader of the file must know about the scene, for asset.extras: source, valid time, box, frame,
 /// seed, sun. 64-bit integers are texts, because JSON readers keep 53 bits of a number.
+/// The lattice of heights, for readers of the file that draw the ground.
+nlohmann::json terrainExtras(const base::HeightField& terrain);
+
 nlohmann::json sceneExtras(const scene::Scene& scene);
 
 /// Three numbers as a JSON array.

@@ -123,6 +123,15 @@ std::string pageData(const scene::Scene& scene, std::uint64_t splatsBytes, const
                    {"lower", {millimeters(lower.x), millimeters(lower.y)}},
                    {"upper", {millimeters(upper.x), millimeters(upper.y)}}};
   data["groundHeightMeters"] = printed(scene.groundHeightMeters);
+  if (!scene.terrain.empty()) {
+    Json heights = Json::array();
+    for (const float height : scene.terrain.heights) heights.push_back(std::lround(height));
+    data["terrain"] = {{"columns", scene.terrain.columns},
+                       {"rows", scene.terrain.rows},
+                       {"origin", {millimeters(scene.terrain.origin.x), millimeters(scene.terrain.origin.y)}},
+                       {"step", {millimeters(scene.terrain.step.x), millimeters(scene.terrain.step.y)}},
+                       {"heights", heights}};
+  }
   data["highestTopMeters"] = printed(scene::highestTop(scene));
   data["sun"] = {{"azimuthDegrees", std::round(scene.sun.azimuthDegrees * 100) / 100},
                  {"elevationDegrees", std::round(scene.sun.elevationDegrees * 100) / 100},

@@ -7,6 +7,7 @@
 
 #include "base/text.hpp"
 #include "light/color.hpp"
+#include "writer/x3d/ground.hpp"
 #include "writer/x3d/viewpoints.hpp"
 
 namespace cloudgen::writer {
@@ -79,40 +80,6 @@ void writeSun(NodeWriter& nodes, const light::Sun& sun) {
   nodes.close();
 }
 
-/// A flat square that reaches half a scene further than the scene and fades there into the colour of the
-/// horizon.
-void writeGround(NodeWriter& nodes, const scene::Scene& scene, const Stage& stage) {
-  constexpr int kCells = 24;
-  const glm::vec3 middle = 0.5f * (stage.lower + stage.upper);
-  std::vector<float> points, colors;
-  std::vector<std::int32_t> indices;
-  for (int row = 0; row <= kCells; ++row) {
-    for (int column = 0; column <= kCells; ++column) {
-      const float u = 2.0f * static_cast<float>(column) / kCells - 1,
-                  v = 2.0f * static_cast<float>(row) / kCells - 1;
-      points.insert(points.end(), {middle.x + 2 * u * stage.extent, scene.groundHeightMeters,
-                                   middle.z + 2 * v * stage.extent});
-      const float haze = glm::smoothstep(0.3f, 1.0f, std::hypot(u, v));
-      appendColor(colors, glm::mix(scene.sky.ground, scene.sky.horizon, haze));
-      if (row == kCells || column == kCells) continue;
-      const int corner = row * (kCells + 1) + column;
-      indices.insert(indices.end(), {corner, corner + kCells + 1, corner + kCells + 2, corner + 1, -1});
-    }
-  }
-  nodes.open("Shape", "children", "Ground");
-  nodes.open("IndexedFaceSet", "geometry");
-  nodes.integers("coordIndex", indices);
-  nodes.boolean("solid", false);
-  nodes.open("Color", "color");
-  nodes.numbers("color", colors, 3, 3);
-  nodes.close();
-  nodes.open("Coordinate", "coord");
-  nodes.numbers("point", points, 3, 0);
-  nodes.close();
-  nodes.close();
-  nodes.close();
-}
-
 /// The step of lines, in degrees, that gives about eight of them.
 double lineStep(double degrees) {
   for (const double step : {0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0})
@@ -124,7 +91,7 @@ void writeGraticule(NodeWriter& nodes, const scene::Scene& scene, const Stage& s
   const base::GeoBox& box = scene.frame.box();
   const double step = lineStep(std::max(box.width(), box.height()));
   const double east = box.west + box.width();
-  const float height = scene.groundHeightMeters + std::max(2.0f, 0.0004f * stage.extent);
+  const float lift = std::max(2.0f, 0.0004f * stage.extent);
   constexpr int kPieces = 32;
   std::vector<float> points;
   std::vector<std::int32_t> indices;
@@ -132,10 +99,10 @@ void writeGraticule(NodeWriter& nodes, const scene::Scene& scene, const Stage& s
     for (int i = 0; i <= kPieces; ++i) {
       const double t = static_cast<double>(i) / kPieces;
       const glm::dvec3 p =
-          scene.frame.toScene(glm::mix(longitude0, longitude1, t), glm::mix(latitude0, latitude1, t), height);
+          scene.frame.toScene(glm::mix(longitude0, longitude1, t), glm::mix(latitude0, latitude1, t), 0);
       indices.push_back(static_cast<std::int32_t>(points.size() / 3));
-      points.insert(points.end(),
-                    {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
+      points.insert(points.end(), {static_cast<float>(p.x), scene::groundAt(scene, p.x, p.z) + lift,
+                                   static_cast<float>(p.z)});
     }
     indices.push_back(-1);
   };

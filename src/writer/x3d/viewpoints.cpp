@@ -34,7 +34,8 @@ glm::vec4 rotationTowards(const glm::vec3& eye, const glm::vec3& target) {
 
 std::vector<View> viewsOf(const scene::Scene& scene, const Stage& stage) {
   const float depth = std::max(stage.focusTop - stage.focusBase, 200.0f);
-  const float heightAbove = std::max(stage.focusBase - scene.groundHeightMeters, 0.0f);
+  const float heightAbove =
+      std::max(stage.focusBase - scene::groundAt(scene, stage.focus.x, stage.focus.z), 0.0f);
   // Near enough that a cloud of mean width is some hundred pixels wide, far enough to have a dozen in view.
   const float reach =
       std::clamp(6 * stage.cloudWidth, 3 * depth, std::max(1.2f * stage.extent, 3.1f * depth));
@@ -45,14 +46,14 @@ std::vector<View> viewsOf(const scene::Scene& scene, const Stage& stage) {
       {"View_Overview", "Overview", stage.focus + reach * towardsViewer(scene.sun, 24), stage.focus});
   const float away = std::max(2.2f * (heightAbove + 0.5f * depth), 1.5f * stage.cloudWidth);
   glm::vec3 ground = stage.focus + away * towardsViewer(scene.sun, 0);
-  ground.y = scene.groundHeightMeters + kEyeHeightMeters;
+  ground.y = scene::groundAt(scene, ground.x, ground.z) + kEyeHeightMeters;
   views.push_back({"View_Ground", "From the ground", ground, stage.focus});
   views.push_back({"View_Top", "From above", stage.focus + glm::vec3(0, reach, 0), stage.focus});
   views.push_back({"View_Whole", "Whole scene",
                    glm::vec3(middle.x, 0, middle.z) + 1.25f * stage.extent * towardsViewer(scene.sun, 40),
                    glm::vec3(middle.x, stage.focus.y, middle.z)});
   for (View& view : views) {
-    view.eye.y = std::max(view.eye.y, scene.groundHeightMeters + kEyeHeightMeters);
+    view.eye.y = std::max(view.eye.y, scene::groundAt(scene, view.eye.x, view.eye.z) + kEyeHeightMeters);
     view.rotation = rotationTowards(view.eye, view.target);
   }
   return views;

@@ -12,7 +12,9 @@ std::string_view defaultField(std::string_view type) {
   if (type == "Coordinate") return "coord";
   if (type == "TextureCoordinate") return "texCoord";
   if (type == "Color" || type == "ColorRGBA") return "color";
-  if (type == "IndexedFaceSet" || type == "IndexedLineSet" || type == "IndexedTriangleSet") return "geometry";
+  if (type == "ElevationGrid" || type == "IndexedFaceSet" || type == "IndexedLineSet" ||
+      type == "IndexedTriangleSet")
+    return "geometry";
   if (type == "MetadataSet")
     return {};  // "metadata" by the standard, but X_ITE 15 takes it for a "value": always say which
   if (type.starts_with("Metadata")) return "metadata";

@@ -12,11 +12,12 @@ import {
   MeshBasicNodeMaterial,
   Vector2,
 } from 'three/webgpu';
-import {Fn, cameraPosition, float, mix, positionWorld, smoothstep, texture, uniform, vec2, vec3, vec4} from 'three/tsl';
+import {Fn, attribute, cameraPosition, float, mix, positionWorld, smoothstep, texture, uniform, vec2, vec3, vec4} from 'three/tsl';
 import {displayColor} from './color';
 import type {Frame} from './frame';
 import type {SceneData} from './scene_data';
 import type {Node, Sky} from './sky';
+import {Terrain} from './terrain';
 
 const STEPS_DEGREES = [0.05, 0.1, 0.2, 0.25, 0.5, 1, 2, 2.5, 5, 10, 15, 30];
 const WANTED_LINES = 7;
@@ -35,17 +36,19 @@ export class Ground {
   readonly root = new Group();
   readonly labels: GroundLabel[] = [];
   readonly stepDegrees: number;
+  readonly terrain: Terrain;
 
   constructor(data: SceneData, frame: Frame, sky: Sky, sunlight: DataTexture) {
     const span = Math.max(frame.longitudeSpan * Math.cos((frame.box.south + frame.box.north) * (Math.PI / 360)), frame.box.north - frame.box.south);
     this.stepDegrees = STEPS_DEGREES.find((step) => span / step <= WANTED_LINES) ?? 45;
     this.root.position.y = data.groundHeightMeters;
+    this.terrain = new Terrain(data);
     const ring = borderOf(frame);
     this.root.add(
       this.plane(frame, data, sky),
       this.floor(ring, frame, data, sky, sunlight),
       ...this.graticule(frame, sky),
-      lines(pairs(ring), sky, 0.85),
+      lines(this.onTerrain(pairs(ring)), sky, 0.85),
     );
     // Painted from back to front without a depth buffer: sky, plane, floor, lines, then the clouds above them.
     this.root.children.forEach((child, index) => {
@@ -71,16 +74,13 @@ export class Ground {
 
   /** The ground of the scene's box, under the shadows of the clouds. */
   private floor(ring: number[], frame: Frame, data: SceneData, sky: Sky, sunlight: DataTexture): Mesh {
-    const count = ring.length / 3;
-    const geometry = new BufferGeometry();
-    geometry.setAttribute('position', new BufferAttribute(new Float32Array([frame.centerX, 0, frame.centerZ, ...ring]), 3));
-    geometry.setIndex(Array.from({length: count}, (_, i) => [0, 1 + i, 1 + ((i + 1) % count)]).flat());
-    const ground = uniform(displayColor(data.sky.ground));
+    const geometry = this.terrain.exists ? this.terrain.geometry() : fan(ring, frame);
+    const ground: Node = this.terrain.exists ? attribute('relief', 'vec3') : uniform(displayColor(data.sky.ground));
     const lower = uniform(new Vector2(...data.frame.lower));
     const extent = uniform(new Vector2(frame.width, frame.depth));
     // A low sun casts long shadows that fade into the light of the sky.
     const sunShare = 0.5 * Math.min(1, Math.max(0, data.sun.direction[1] / 0.25));
-    return painted(
+    const floor = painted(
       geometry,
       Fn(() => {
         const across: Node = positionWorld.xz.sub(lower).div(extent);
@@ -90,6 +90,14 @@ export class Ground {
         return vec4(sky.throughAir(ground.mul(shaded), positionWorld), 1);
       })(),
     );
+    // Mountains hide what is behind them; the flat ground hides nothing.
+    (floor.material as MeshBasicNodeMaterial).depthTest = (floor.material as MeshBasicNodeMaterial).depthWrite = this.terrain.exists;
+    return floor;
+  }
+
+  /** Points of lines (x, y, z each) laid on the terrain. */
+  private onTerrain(points: number[]): number[] {
+    return points.map((value, i) => (i % 3 === 1 ? this.terrain.rise(points[i - 1], points[i + 1]) : value));
   }
 
   private graticule(frame: Frame, sky: Sky): LineSegments[] {
@@ -124,8 +132,17 @@ export class Ground {
       const wrapped = ((((k * step + 180) % 360) + 360) % 360) - 180;
       this.labels.push({text: degrees(wrapped, 'E', 'W'), x, z, kind: 'meridian'});
     }
-    return [lines(minor, sky, 0.13), lines(points, sky, 0.42)];
+    return [lines(this.onTerrain(minor), sky, 0.13), lines(this.onTerrain(points), sky, 0.42)];
   }
+}
+
+/** The flat floor: triangles from the middle to the border. */
+function fan(ring: number[], frame: Frame): BufferGeometry {
+  const count = ring.length / 3;
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(new Float32Array([frame.centerX, 0, frame.centerZ, ...ring]), 3));
+  geometry.setIndex(Array.from({length: count}, (_, i) => [0, 1 + i, 1 + ((i + 1) % count)]).flat());
+  return geometry;
 }
 
 /** The border of the box, closed, as x, y, z of its points. */

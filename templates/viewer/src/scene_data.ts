@@ -12,6 +12,15 @@ export interface GenusCount {
   highestTopMeters: number;
 }
 
+/** Heights above mean sea level, row by row from the north; its border lies at the lowest ground. */
+export interface TerrainData {
+  columns: number;
+  rows: number;
+  origin: [number, number];
+  step: [number, number];
+  heights: number[];
+}
+
 /** What the writer says about the scene, in the slot `cloudgen-scene`. Lengths in metres, x east, y up, z south. */
 export interface SceneData {
   title: string;
@@ -22,6 +31,7 @@ export interface SceneData {
   box: {west: number; south: number; east: number; north: number};
   frame: {definition: string; lower: [number, number]; upper: [number, number]};
   groundHeightMeters: number;
+  terrain?: TerrainData;
   highestTopMeters: number;
   sun: {azimuthDegrees: number; elevationDegrees: number; direction: Color; color: Color};
   sky: {zenith: Color; horizon: Color; ground: Color};

@@ -18,7 +18,7 @@ export class Splats {
   readonly meshes: GaussianSplat[] = [];
   private readonly center = new Vector3();
 
-  static async load(bytes: ArrayBuffer, sky: Sky): Promise<Splats> {
+  static async load(bytes: ArrayBuffer, sky: Sky, behindMountains: boolean): Promise<Splats> {
     const loader = new GLTFLoader();
     loader.register((parser) => new GLTFGaussianSplatLoaderExtension(parser) as never);
     const model = await loader.parseAsync(bytes, '');
@@ -28,7 +28,7 @@ export class Splats {
     model.scene.traverse((object) => {
       if ('isGaussianSplat' in object) splats.meshes.push(object as GaussianSplat);
     });
-    for (const mesh of splats.meshes) seeThroughAir(mesh, sky);
+    for (const mesh of splats.meshes) seeThroughAir(mesh, sky, behindMountains);
     return splats;
   }
 
@@ -79,8 +79,11 @@ export class Splats {
   }
 }
 
-/** Mixes the colour of the air into a splat's own, and fades its rim; its material has no place for either. */
-function seeThroughAir(mesh: GaussianSplat, sky: Sky): void {
+/**
+ * Mixes the colour of the air into a splat's own, and fades its rim; its material has no place for either.
+ * Splats hide behind what has written depth: mountains, where there are any.
+ */
+function seeThroughAir(mesh: GaussianSplat, sky: Sky, behindMountains: boolean): void {
   const internals = mesh as unknown as SplatInternals;
   const place: Node = varyingProperty('vec3', 'splatPlace');
   const corner: Node = varyingProperty('vec2', 'splatCorner');
@@ -109,5 +112,5 @@ function seeThroughAir(mesh: GaussianSplat, sky: Sky): void {
     const rim = smoothstep(float(4), float(1.6), dot(corner, corner));
     return vec4(sky.throughAir(color.rgb, place), color.a.mul(rim));
   })();
-  mesh.material.depthTest = false;
+  mesh.material.depthTest = behindMountains;
 }

@@ -33,6 +33,7 @@ export class Viewer {
   private readonly fly: Fly;
   private readonly readout: Readout;
   private readonly clouds: CloudExtent;
+  private readonly ground: Ground;
   private requested = false;
   private lastFrame = 0;
   private quality = 1;
@@ -41,7 +42,7 @@ export class Viewer {
   static async create(data: SceneData, frame: Frame, bytes: ArrayBuffer): Promise<Viewer> {
     const renderer = await startRenderer();
     const sky = new Sky(data);
-    const splats = await Splats.load(bytes, sky);
+    const splats = await Splats.load(bytes, sky, data.terrain !== undefined);
     return new Viewer(data, frame, renderer, sky, splats);
   }
 
@@ -57,6 +58,7 @@ export class Viewer {
     const sun = new Vector3(...data.sun.direction).normalize();
     const sunlight = groundSunlight(splats, frame, data.frame.lower, sun, data.groundHeightMeters);
     const ground = new Ground(data, frame, sky, sunlight);
+    this.ground = ground;
     scene.backgroundNode = sky.dome;
     scene.add(ground.root, splats.root);
 
@@ -93,6 +95,7 @@ export class Viewer {
     const {position, target} = viewNamed(name, this.data, this.frame, this.clouds, 2 * Math.atan(narrow));
     const ground = this.data.groundHeightMeters;
     for (const place of [position, target]) place.y = ground + (place.y - ground) * (name === 'top' ? 1 : this.exaggeration);
+    position.y = Math.max(position.y, this.groundUnder(position) + LOWEST_EYE_METERS);
     this.camera.position.copy(position);
     this.orbit.target.copy(target);
     this.camera.lookAt(target);
@@ -118,6 +121,10 @@ export class Viewer {
     this.exaggeration = Math.min(10, Math.max(1, factor));
     this.sky.exaggeration.value = this.exaggeration;
     this.splats.exaggerate(this.exaggeration);
+    if (this.ground.terrain.exists) {
+      this.ground.root.scale.y = this.exaggeration;
+      this.ground.root.position.y = this.exaggeration * this.data.groundHeightMeters;
+    }
     this.splats.sortAgain();
     this.requestFrame();
     this.onChange();
@@ -165,12 +172,18 @@ export class Viewer {
     const seconds = Math.min(0.25, (time - this.lastFrame) / 1000);
     const moving = seconds < 0.25;
     this.lastFrame = time;
-    const lowest = this.data.groundHeightMeters + LOWEST_EYE_METERS;
+    const lowest = this.groundUnder(this.camera.position) + LOWEST_EYE_METERS;
     if (this.fly.active) {
       this.fly.step(moving ? seconds : 1 / 60, lowest, this.mode === 'orbit' ? this.orbit.target : null);
       this.requestFrame();
     }
     if (this.mode === 'orbit') this.orbit.update();
+    if (this.ground.terrain.exists) {
+      this.camera.position.y = Math.max(this.camera.position.y, lowest);
+      // Far mountains hide each other only as finely as the nearest thing is far.
+      this.camera.near = Math.min(2000, Math.max(5, 0.25 * (this.camera.position.y - lowest)));
+      this.camera.updateProjectionMatrix();
+    }
     if (moving && seconds * 1000 > SLOW_FRAME_MILLISECONDS) this.setQuality(this.quality * 0.8);
     this.camera.updateMatrixWorld();
     this.splats.orderFrom(this.camera);
@@ -179,6 +192,12 @@ export class Viewer {
     ++this.frames;
     window.clearTimeout(this.rest);
     if (this.quality < 1) this.rest = window.setTimeout(() => this.atRest(), REST_MILLISECONDS);
+  }
+
+  /** Height of the drawn ground under a place. */
+  private groundUnder(place: Vector3): number {
+    const lowest = this.data.groundHeightMeters;
+    return this.ground.terrain.exists ? this.exaggeration * (lowest + this.ground.terrain.rise(place.x, place.z)) : lowest;
   }
 
   private atRest(): void {

@@ -62,6 +62,7 @@ std::vector<Broken> geometry() {
        "color-count", -3},
       {"too few colours of lines", R"(<Color color="1 1 1 0 0 0"/>)", R"(<Color color="1 1 1"/>)",
        "color-count"},
+      {"too few heights", R"(height="1 2 3 4 5 6")", R"(height="1 2 3 4 5")", "grid-height-count"},
       {"more sky angles than colours", R"(skyAngle="1.2 1.5708")", R"(skyAngle="1.2 1.5 1.5708")",
        "color-count"},
       {"sky angles out of order", R"(skyAngle="1.2 1.5708")", R"(skyAngle="1.5708 1.2")", "key-order"},

@@ -67,6 +67,9 @@ std::string goodScene() {
         <Appearance><Material emissiveColor="1 1 1"/></Appearance>
         <IndexedLineSet coordIndex="0 1 -1"><Coordinate point="0 0 0 1 1 1"/><Color color="1 1 1 0 0 0"/></IndexedLineSet>
       </Shape>
+      <Shape>
+        <ElevationGrid height="1 2 3 4 5 6" solid="false" xDimension="3" xSpacing="10" zDimension="2" zSpacing="20"><Color color="0 0 0, 0 0 0, 0 0 0, 1 1 1, 1 1 1, 1 1 1"/></ElevationGrid>
+      </Shape>
     </StaticGroup>
     <TimeSensor DEF="Clock" cycleInterval="60" loop="true"/>
     <PositionInterpolator DEF="Drift" key="0 1" keyValue="0 0 0 10 0 0"/>

@@ -2,11 +2,13 @@
 // Heights and temperatures that are computed, against those that a real model tells.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <numeric>
 
 #include "field/air.hpp"
+#include "field/collect.hpp"
 #include "field/level_gaps.hpp"
 #include "input/catalogue.hpp"
 
@@ -93,6 +95,55 @@ TEST(RealAir, TemperaturesFromThicknessAreTheModelsOwnWithinAKelvin) {
   const Difference off = difference(made, told, &field::AirLevel::temperatureK, gfs.surface.pressurePa);
   EXPECT_LT(std::abs(off.mean), 0.5);
   EXPECT_LT(off.rms, 1) << "mean " << off.mean << ", greatest " << off.greatest;
+}
+
+/// Mean over the grid of the height at a pressure.
+double meanHeight(const field::Source& source, double pressurePa) {
+  std::vector<std::uint32_t> cells(source.grid().size());
+  std::iota(cells.begin(), cells.end(), 0u);
+  const field::Surface surface = source.surface(cells);
+  double sum = 0, count = 0;
+  for (const field::AirLevel& air : airOf(source, {}, surface))
+    for (std::size_t c = 0; c < cells.size(); ++c)
+      if (air.pressurePa[c] == static_cast<float>(pressurePa) && std::isfinite(air.heightMeters[c]))
+        sum += air.heightMeters[c], ++count;
+  return count > 0 ? sum / count : 0;
+}
+
+TEST(RealAir, Ruc13HasNoHeightsAndGetsPlausibleOnes) {
+  const fs::path ruc = kData / "ruc13_g212_2005080700_f00.grb";
+  SKIP_WITHOUT(ruc);
+  const auto source = input::open({ruc});
+  EXPECT_NEAR(meanHeight(*source, 50000), 5860, 60) << "a summer's 500 hPa over North America";
+  EXPECT_NEAR(meanHeight(*source, 85000), 1540, 60);
+  const auto cells = field::cellsTouching(source->grid(), {-100, 35, -90, 45});
+  const field::CloudColumns columns = field::collectColumns(*source, cells);
+  ASSERT_FALSE(columns.cells.empty());
+  const auto told = [&](std::string_view how) {
+    return std::any_of(columns.derived.begin(), columns.derived.end(),
+                       [&](const auto& line) { return line.second.find(how) != std::string::npos; });
+  };
+  EXPECT_TRUE(told("hypsometric"));
+  EXPECT_TRUE(told("Sundqvist"));
+  for (const field::CloudCell& cell : columns.cells) {
+    EXPECT_LT(cell.baseMeters, cell.topMeters);
+    EXPECT_GT(cell.baseMeters, -200);
+    EXPECT_LT(cell.topMeters, 20000);
+    EXPECT_GT(cell.liquidExtinctionPerMeter + cell.iceExtinctionPerMeter, 0);
+  }
+}
+
+TEST(RealAir, IfsOpenDataLacksTemperatureAndMostLevels) {
+  const fs::path ifs = kData / "ifs_oper_20240101_10msgs.grib2";
+  SKIP_WITHOUT(ifs);
+  const auto source = input::open({ifs});
+  const auto cells = field::cellsTouching(source->grid(), {-10, 45, 5, 55});
+  const field::CloudColumns columns = field::collectColumns(*source, cells);
+  ASSERT_FALSE(columns.cells.empty());
+  for (const field::CloudCell& cell : columns.cells) {
+    EXPECT_GT(cell.temperatureK, 225);
+    EXPECT_LT(cell.temperatureK, 300);
+  }
 }
 
 }  // namespace

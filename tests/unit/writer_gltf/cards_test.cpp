@@ -157,5 +157,26 @@ TEST_F(Cards, NameTheMissingTexture) {
   }
 }
 
+TEST_F(Cards, TerrainIsAMeshInsteadOfTheFlatGround) {
+  scene::Scene scene = test::gltfScene();
+  const glm::dvec2 lower = scene.frame.lowerCorner(), upper = scene.frame.upperCorner();
+  scene.terrain = {3, 3, lower, 0.5 * (upper - lower), std::vector<float>(9, 20)};
+  scene.terrain.heights[4] = 900;
+  const test::Glb glb = written(scene);
+  std::set<std::string> names;
+  for (const auto& mesh : glb.json["meshes"]) {
+    names.insert(mesh["name"].get<std::string>());
+    if (mesh["name"] != "terrain") continue;
+    const auto& position =
+        glb.json["accessors"][mesh["primitives"][0]["attributes"]["POSITION"].get<std::size_t>()];
+    EXPECT_EQ(position["max"][1], 900);
+    EXPECT_EQ(position["min"][1], 20);
+    EXPECT_TRUE(mesh["primitives"][0]["attributes"].contains("NORMAL"));
+  }
+  EXPECT_TRUE(names.contains("terrain"));
+  EXPECT_FALSE(names.contains("ground"));
+  EXPECT_EQ(glb.json["asset"]["extras"]["terrain"]["heights_m"][4], 900);
+}
+
 }  // namespace
 }  // namespace cloudgen::writer

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "writer/x3d/ground.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <set>
+
+#include "light/color.hpp"
+#include "light/relief.hpp"
+
+namespace cloudgen::writer {
+namespace {
+
+/// The ground's colours, fading into the haze away from the middle of the stage.
+class Haze {
+ public:
+  Haze(const scene::Scene& scene, const Stage& stage)
+      : sky_(scene.sky), middle_(0.5f * (stage.lower + stage.upper)), reach_(2 * stage.extent) {}
+
+  void append(std::vector<float>& out, const glm::vec3& linear, double x, double z) const {
+    const double u = (x - middle_.x) / reach_, v = (z - middle_.z) / reach_;
+    const float haze = glm::smoothstep(0.3f, 1.0f, static_cast<float>(std::hypot(u, v)));
+    const glm::vec3 color = light::srgbFromLinear(glm::mix(linear, sky_.horizon, haze));
+    out.insert(out.end(), {color.r, color.g, color.b});
+  }
+
+ private:
+  light::Sky sky_;
+  glm::vec3 middle_;
+  float reach_;
+};
+
+/// Even lines about the middle, and the edges of the terrain.
+std::vector<float> linesAlong(float middle, float reach, bool hole, float low, float high) {
+  constexpr int kCells = 24;
+  std::set<float> lines;
+  for (int i = 0; i <= kCells; ++i) {
+    const float line = middle + reach * (2.0f * static_cast<float>(i) / kCells - 1);
+    if (!hole || line < low || line > high) lines.insert(line);
+  }
+  if (hole) lines.insert({low, high});
+  return {lines.begin(), lines.end()};
+}
+
+void writeFlatGround(NodeWriter& nodes, const scene::Scene& scene, const Stage& stage) {
+  const glm::vec3 middle = 0.5f * (stage.lower + stage.upper);
+  const base::HeightField& terrain = scene.terrain;
+  glm::vec2 low(0), high(0);
+  if (!terrain.empty()) {
+    low = glm::vec2(terrain.origin);
+    high = glm::vec2(terrain.origin + glm::dvec2(terrain.columns - 1, terrain.rows - 1) * terrain.step);
+  }
+  const auto xs = linesAlong(middle.x, 2 * stage.extent, !terrain.empty(), low.x, high.x);
+  const auto zs = linesAlong(middle.z, 2 * stage.extent, !terrain.empty(), low.y, high.y);
+  const Haze haze(scene, stage);
+  std::vector<float> points, colors;
+  std::vector<std::int32_t> indices;
+  const auto columns = static_cast<int>(xs.size()), rows = static_cast<int>(zs.size());
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < columns; ++column) {
+      const float x = xs[static_cast<std::size_t>(column)], z = zs[static_cast<std::size_t>(row)];
+      points.insert(points.end(), {x, scene.groundHeightMeters, z});
+      haze.append(colors, scene.sky.ground, x, z);
+      if (row + 1 == rows || column + 1 == columns) continue;
+      const bool inHole = !terrain.empty() && x >= low.x && x < high.x && z >= low.y && z < high.y;
+      const int corner = row * columns + column;
+      if (!inHole)
+        indices.insert(indices.end(), {corner, corner + columns, corner + columns + 1, corner + 1, -1});
+    }
+  nodes.open("Shape", "children", "Ground");
+  nodes.open("IndexedFaceSet", "geometry");
+  nodes.integers("coordIndex", indices);
+  nodes.boolean("solid", false);
+  nodes.open("Color", "color");
+  nodes.numbers("color", colors, 3, 3);
+  nodes.close();
+  nodes.open("Coordinate", "coord");
+  nodes.numbers("point", points, 3, 0);
+  nodes.close();
+  nodes.close();
+  nodes.close();
+}
+
+void writeTerrain(NodeWriter& nodes, const scene::Scene& scene, const Stage& stage) {
+  const base::HeightField& terrain = scene.terrain;
+  const Haze haze(scene, stage);
+  std::vector<float> colors;
+  for (int row = 0; row < terrain.rows; ++row)
+    for (int column = 0; column < terrain.columns; ++column) {
+      const glm::dvec3 point = terrain.point(column, row);
+      haze.append(colors, light::reliefColor(terrain, column, row, scene.sun, scene.sky), point.x, point.z);
+    }
+  nodes.open("Transform", "children", "Terrain");
+  nodes.vector("translation", glm::vec3(terrain.origin.x, 0, terrain.origin.y), 1);
+  nodes.open("Shape");
+  nodes.open("ElevationGrid", "geometry");
+  nodes.numbers("height", terrain.heights, 1, 0);
+  nodes.boolean("solid", false);
+  nodes.integer("xDimension", terrain.columns);
+  nodes.number("xSpacing", terrain.step.x, 3);
+  nodes.integer("zDimension", terrain.rows);
+  nodes.number("zSpacing", terrain.step.y, 3);
+  nodes.open("Color", "color");
+  nodes.numbers("color", colors, 3, 2);
+  nodes.close();
+  nodes.close();
+  nodes.close();
+  nodes.close();
+}
+
+}  // namespace
+
+void writeGround(NodeWriter& nodes, const scene::Scene& scene, const Stage& stage) {
+  writeFlatGround(nodes, scene, stage);
+  if (!scene.terrain.empty()) writeTerrain(nodes, scene, stage);
+}
+
+}  // namespace cloudgen::writer

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "base/file.hpp"
+#include "support/small_scene.hpp"
+#include "writer/x3d/ground.hpp"
+#include "writer/x3d/viewpoints.hpp"
+
+namespace cloudgen::writer {
+namespace {
+
+/// A pyramid of 1500 m over a ground of 400 m, as high as the scene's rectangle is wide.
+scene::Scene sceneWithMountain() {
+  scene::Scene scene = test::sceneOf({}, 0);
+  const glm::dvec2 lower = scene.frame.lowerCorner(), upper = scene.frame.upperCorner();
+  scene.terrain = {5, 5, lower, 0.25 * (upper - lower), std::vector<float>(25, 400)};
+  scene.terrain.heights[12] = 1500;
+  return scene;
+}
+
+std::string groundOf(const scene::Scene& scene, Encoding encoding) {
+  const auto file = std::filesystem::path(testing::TempDir()) / "terrain_test.txt";
+  const auto nodes = nodeWriter(encoding, file);
+  nodes->start({{"title", "ground"}});
+  writeGround(*nodes, scene, stageOf(scene));
+  nodes->finish();
+  const std::string text = base::readFile(file);
+  std::filesystem::remove(file);
+  return text;
+}
+
+TEST(Terrain, IsAnElevationGridInEveryEncoding) {
+  const scene::Scene scene = sceneWithMountain();
+  for (const Encoding encoding : {Encoding::Xml, Encoding::Classic, Encoding::Vrml97}) {
+    const std::string text = groundOf(scene, encoding);
+    EXPECT_NE(text.find("ElevationGrid"), std::string::npos);
+    EXPECT_NE(text.find("400 400 400 400 400 400 400 400 400 400 400 400 1500"), std::string::npos);
+    EXPECT_NE(text.find("Ground"), std::string::npos);
+  }
+  const std::string xml = groundOf(scene, Encoding::Xml);
+  EXPECT_NE(xml.find(R"(xDimension="5")"), std::string::npos);
+  EXPECT_NE(xml.find(R"(zDimension="5")"), std::string::npos);
+}
+
+TEST(Terrain, FlatGroundHasNone) {
+  EXPECT_EQ(groundOf(test::sceneOf({}, 0), Encoding::Xml).find("ElevationGrid"), std::string::npos);
+}
+
+TEST(Terrain, NoEyeIsUnderTheGround) {
+  const scene::Scene scene = sceneWithMountain();
+  for (const View& view : viewsOf(scene, stageOf(scene)))
+    EXPECT_GT(view.eye.y, scene::groundAt(scene, view.eye.x, view.eye.z)) << view.name;
+}
+
+}  // namespace
+}  // namespace cloudgen::writer
