@@ -13,6 +13,7 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -69,6 +70,64 @@ void tell(nlohmann::ordered_json line, const Cost& cost) {
   std::fflush(stdout);
 }
 
+/// A sky of some genera in a chequered pattern around the globe, as a cloud analysis holds it.
+std::string globalSky() {
+  auto layers = nlohmann::json::array();
+  const auto add = [&](const char* genus, double cover, int base, int top, int every) {
+    auto cells = nlohmann::json::array();
+    for (int cell = 0; cell < 72 * 36; ++cell)
+      if (cell % every == 0) cells.push_back({cell % 72, cell / 72});
+    layers.push_back({{"genus", genus},
+                      {"cover", cover},
+                      {"base_m", base},
+                      {"top_m", top},
+                      {"optical_depth", 8},
+                      {"cells", cells}});
+  };
+  add("Sc", 0.6, 900, 1500, 3);
+  add("Cu", 0.3, 1000, 2500, 4);
+  add("Ac", 0.5, 4000, 4800, 4);
+  add("Cs", 0.9, 9000, 10500, 3);
+  return nlohmann::json{{"cloudgen_sky", 1},
+                        {"valid_time", "2011-01-15T12:00:00Z"},
+                        {"bbox", {-180, -90, 180, 90}},
+                        {"grid", {{"columns", 72}, {"rows", 36}}},
+                        {"layers", layers}}
+      .dump();
+}
+
+std::vector<std::string> filesIn(const fs::path& folder) {
+  std::vector<std::string> files;
+  for (const auto& entry : fs::directory_iterator(folder)) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// Opening and visiting everything against reading (and decoding) the same files with what is there anyway.
+void benchReader(const std::string& name, const std::string& plainly, const std::vector<std::string>& files) {
+  const auto command = [&](const std::string& how) {
+    std::vector<std::string> words{READ_INPUT, how};
+    words.insert(words.end(), files.begin(), files.end());
+    return words;
+  };
+  const Cost ours = quickest(command("cloudgen"), 5), theirs = quickest(command(plainly), 5);
+  tell({{"case", "read " + name},
+        {"plainly", plainly},
+        {"plainly_wall_s", theirs.wallSeconds},
+        {"takes_times_as_long", ours.wallSeconds / theirs.wallSeconds}},
+       ours);
+}
+
+void benchReaders(const fs::path& folder, const std::string& forecast) {
+  const std::string sky = folder / "globe.sky.json";
+  std::ofstream(sky) << globalSky();
+  for (const std::string kind : {"grib", "raw"}) {
+    costOf({WWMCA_FROM_SKY, sky, folder / kind, "--" + kind});
+    benchReader("WWMCA pair as " + kind, kind == "grib" ? "eccodes" : "bytes", filesIn(folder / kind));
+  }
+  benchReader("forecast", "eccodes", {forecast});
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
@@ -79,6 +138,7 @@ int main(int count, char** arguments) {
   const std::string program = arguments[1], forecast = arguments[2];
   const fs::path folder = fs::temp_directory_path() / ("cloudgen-bench-" + std::to_string(::getpid()));
   fs::create_directory(folder);
+  benchReaders(folder, forecast);
   const std::string scene = folder / "scene", x3d = folder / "scene" / "scene.x3d";
 
   for (const auto& [name, box] :

@@ -76,8 +76,13 @@ std::string valuesMessage2(const std::array<std::string, 8>& sections, std::size
 }
 
 std::string message1(const std::array<std::string, 8>& sections) {
-  std::string bytes = sections[1] + sections[2] + sections[3] + sections[4] + "7777";
-  return sections[0] + bytes;
+  std::size_t length = kPadding + 4;
+  for (const std::string& one : sections) length += one.size();
+  std::string bytes;
+  bytes.reserve(length);  // copied once: data are megabytes
+  for (const std::size_t number : {0, 1, 2, 3, 4}) bytes += sections[number];
+  bytes += "7777";
+  return bytes;
 }
 
 /// A handle of ecCodes over bytes that it keeps.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <eccodes.h>
 #include <gtest/gtest.h>
 
 #include "input/catalogue.hpp"
@@ -108,6 +109,53 @@ TEST(WwmcaGrib, RefusesFilesThatCannotMakeClouds) {
   EXPECT_NE(complaint(test::wwmcaMessage(made, 163, 1)).find("no heights"), std::string::npos);
   const std::string twice = test::wwmcaMessage(made, 163, 1);
   EXPECT_NE(complaint(twice + twice).find("repeats"), std::string::npos);
+}
+
+/// A message of edition 2 on layer 1 of the mesh of 16 x 16 cells: category 6, the same value everywhere.
+std::string message2(long number, double value) {
+  codes_handle* handle = codes_grib_handle_new_from_samples(nullptr, "polar_stereographic_sfc_grib2");
+  const auto whole = [&](const char* key, long to) { codes_set_long(handle, key, to); };
+  whole("centre", 57);
+  whole("discipline", 0);
+  whole("parameterCategory", 6);
+  whole("parameterNumber", number);
+  whole("typeOfFirstFixedSurface", 105);
+  whole("scaleFactorOfFirstFixedSurface", 0);
+  whole("scaledValueOfFirstFixedSurface", 1);
+  whole("Nx", kSmall);
+  whole("Ny", kSmall);
+  codes_set_double(handle, "latitudeOfFirstGridPointInDegrees", -20.826);
+  codes_set_double(handle, "longitudeOfFirstGridPointInDegrees", 145);
+  codes_set_double(handle, "orientationOfTheGridInDegrees", 280);
+  codes_set_double(handle, "DxInMetres", 1524000);
+  codes_set_double(handle, "DyInMetres", 1524000);
+  whole("dataDate", 20110115);
+  whole("dataTime", 1200);
+  const std::vector<double> values(kSmall * kSmall, value);
+  codes_set_double_array(handle, "values", values.data(), values.size());
+  const void* bytes = nullptr;
+  std::size_t length = 0;
+  codes_get_message(handle, &bytes, &length);
+  std::string message(static_cast<const char*>(bytes), length);
+  codes_handle_delete(handle);
+  return message;
+}
+
+TEST(WwmcaGrib, ReadsTheTableOfTheWmoInEdition2) {
+  const test::Scratch scratch;
+  for (const auto& [code, genus] : {std::pair{9.0, base::Genus::Cirrocumulus}, {20.0, base::Genus::Cirrus}}) {
+    const auto file = scratch.write(
+        "edition2", message2(8, code) + message2(22, 40) + message2(11, 8000) + message2(12, 9000));
+    const auto source = open({file});
+    EXPECT_EQ(source->info().format, "WWMCA GRIB2");
+    EXPECT_TRUE(says(source->info().fields, "WMO 4.203"));
+    const auto layers = layersOf(*source);
+    ASSERT_EQ(layers.size(), static_cast<std::size_t>(kSmall * kSmall));
+    EXPECT_EQ(layers.front().genus, genus);
+    EXPECT_FLOAT_EQ(layers.front().coverFraction, 0.4f);
+    EXPECT_EQ(layers.front().topMeters, 9000);
+    EXPECT_EQ(warningOf(*source, "ground_fog").empty(), code < 11);
+  }
 }
 
 TEST(WwmcaGrib, RefusesAnyTruncation) {
