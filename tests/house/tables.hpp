@@ -63,6 +63,9 @@ inline const std::set<std::string_view> kJsonOwners{
     "src/shape/recipe.cpp", "src/pipeline/recipes.cpp", "src/image/sprite_", "src/input/",
     "src/writer/",          "src/check/gltf/",          "src/cli/"};
 
+/// Ends a process that it has forked for itself; nothing else but src/cli/ ends one.
+inline constexpr std::string_view kChildProcess = "src/input/netcdf/trial.cpp";
+
 inline constexpr int kMostLines = 600;
 
 }  // namespace cloudgen::house
