@@ -140,9 +140,11 @@ class Collector {
   void take(Level level, const Level* above) {
     Slab slab{levels_++, std::move(level), {}};
     slab.air = airMaker_.next(slab.level, above);
+    // Isobaric levels do not follow the ground: where nothing tells it, it is at sea level.
+    const float highest = slab.level.pressurePa > 0 ? 0 : std::numeric_limits<float>::max();
     for (std::size_t c = 0; c < result_.states.size(); ++c)
       if (float& surface = result_.states[c].surfaceHeightMeters; !std::isfinite(surface))
-        surface = slab.air.heightMeters[c];
+        surface = std::min(slab.air.heightMeters[c], highest);
     if (here_) {
       fillStandardLevels(here_->air, slab.air, result_.states);
       addPrecipitableWater(here_->air, slab.air);

@@ -148,29 +148,48 @@ TEST(Inputs, AnHourAFileIsOneInput) {
   EXPECT_EQ(json::parse(second.out).at("valid_time"), "2005-08-07T12:00:00Z");
 }
 
-/// A forecaster's pair: GFS with a made WWMCA typing.
+std::string example(const std::string& name) {
+  return std::string(CLOUDGEN_SOURCE_DIR) + "/examples/inputs/" + name;
+}
+
+/// A forecaster's pair: the genera are those of the typing, the amount is the model's.
 TEST(Inputs, TypingDecidesTheGenera) {
   const auto gfs = gfsForecast();
   if (!gfs) GTEST_SKIP() << "no GFS forecast";
   Scratch folder;
-  const std::string sky = folder.write("typing.sky.json", R"({
-    "cloudgen_sky": 1, "valid_time": "2011-01-15T12:00:00Z", "bbox": [-100, 25, -60, 50],
-    "grid": {"columns": 40, "rows": 25},
-    "layers": [
-      {"genus": "Cu", "cover": 0.4, "base_m": 1200, "top_m": 2400, "optical_depth": 10},
-      {"genus": "Ci", "cover": 0.6, "base_m": 9000, "top_m": 10000, "optical_depth": 1}]})");
   const Ran ran =
-      runCloudgen({"build", *gfs, "--typing", sky, "--bbox", "-95,28,-65,47", "-o", folder.path() / "scene",
-                   "--json", "--formats", "splats", "--max-puffs", "20000"});
+      runCloudgen({"build", *gfs, "--typing", example("typing.sky.json"), "--bbox", "-95,28,-65,47", "-o",
+                   folder.path() / "scene", "--json", "--formats", "splats", "--max-puffs", "20000"});
   ASSERT_EQ(ran.exitCode, 0) << ran.err;
   const json report = json::parse(ran.out);
   expectFitsSchema(report, "report.schema.json");
   const json& typing = report.at("typing");
-  EXPECT_GT(typing.at("typed_columns").get<int>(), 500);
+  EXPECT_GT(typing.at("typed_columns").get<int>(), 2000);
   EXPECT_GE(typing.at("agreement").get<double>(), 0.99);
   EXPECT_NEAR(typing.at("cover_kept").get<double>(), 1, 0.02);
   for (const auto& [genus, count] : report.at("genera").items())
-    EXPECT_TRUE(genus == "Cu" || genus == "Ci") << genus;
+    EXPECT_TRUE(genus == "Sc" || genus == "As" || genus == "Ci") << genus;
+}
+
+TEST(Inputs, WeatherCodesOfTheExample) {
+  Scratch folder;
+  const Ran ran = runCloudgen({"build", example("helsinki.weather.json"), "--time", "2026-06-21T12:00Z", "-o",
+                               folder.path() / "scene", "--json", "--formats", "splats"});
+  ASSERT_EQ(ran.exitCode, 0) << ran.err;
+  const json report = json::parse(ran.out);
+  EXPECT_EQ(report.at("source").at("format"), "weather codes");
+  EXPECT_GE(report.at("counts").at("clouds").get<int>(), 75) << "many clouds: the thesis's count";
+}
+
+TEST(Inputs, ReportsOfTheExample) {
+  Scratch folder;
+  const Ran ran =
+      runCloudgen({"build", example("channel-2026-06-21.metar.txt"), "-o", folder.path() / "scene", "--json",
+                   "--formats", "splats", "--max-puffs", "20000"});
+  ASSERT_EQ(ran.exitCode, 0) << ran.err;
+  const json genera = json::parse(ran.out).at("genera");
+  EXPECT_TRUE(genera.contains("Cb")) << genera;
+  EXPECT_TRUE(genera.contains("Cu")) << genera;
 }
 
 TEST(Inputs, TypingFarAwayInTimeIsRefused) {

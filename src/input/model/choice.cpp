@@ -423,7 +423,9 @@ std::vector<std::string> missingLines(const Choice& choice) {
     lines.emplace_back("wind: taken as calm, so clouds neither lean nor line up");
   if (!choice.has(SingleKind::SurfaceHeight) && !choice.has(SingleKind::SurfacePressure) &&
       !choice.has(SingleKind::LogSurfacePressure))
-    lines.emplace_back("orography: the lowest level is taken as the ground");
+    lines.emplace_back(!choice.levels.empty() && choice.levels.front().vertical.kind == VerticalKind::Pressure
+                           ? "orography: the ground is taken to lie at sea level"
+                           : "orography: the lowest level is taken as the ground");
   return lines;
 }
 
