@@ -321,13 +321,15 @@ std::string gridKey(const FieldHead& head) {
     if (coordinates > 0 && place != 255 && place > 6 && place - 1 <= key.size())
       key.erase(place - 1, coordinates);
     clear(17);
-    return "1" + key.substr(5);
+    key.replace(0, 5, 1, '1');
+    return key;
   }
   const int type =
       key.size() < 14 ? 0 : static_cast<unsigned char>(key[12]) << 8 | static_cast<unsigned char>(key[13]);
   const bool projection = type == 10 || type == 12 || type == 20 || type == 30 || type == 31;
   clear(projection ? 47 : 55);
-  return "2" + key;
+  key.insert(key.begin(), '2');
+  return key;
 }
 
 bool windsAlongAxes(const FieldHead& head) {
