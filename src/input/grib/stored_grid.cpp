@@ -291,7 +291,8 @@ std::size_t StoredGrid::size() const {
 }
 
 std::size_t StoredGrid::place(std::uint32_t cell) const {
-  if (!grid.reducedRows.empty()) return cell;
+  const bool asInFile = !westwards && !columnsFirst && !toAndFro && storedColumns == grid.columns;
+  if (asInFile || !grid.reducedRows.empty()) return cell;
   const auto columns = static_cast<std::size_t>(storedColumns), rows = static_cast<std::size_t>(storedRows);
   auto column = static_cast<std::size_t>(grid.column(cell)), row = static_cast<std::size_t>(grid.row(cell));
   if (westwards) column = columns - 1 - column;
