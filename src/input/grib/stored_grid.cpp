@@ -291,7 +291,8 @@ std::size_t StoredGrid::size() const {
 }
 
 std::size_t StoredGrid::place(std::uint32_t cell) const {
-  if (!grid.reducedRows.empty()) return cell;
+  const bool asInFile = !westwards && !columnsFirst && !toAndFro && storedColumns == grid.columns;
+  if (asInFile || !grid.reducedRows.empty()) return cell;
   const auto columns = static_cast<std::size_t>(storedColumns), rows = static_cast<std::size_t>(storedRows);
   auto column = static_cast<std::size_t>(grid.column(cell)), row = static_cast<std::size_t>(grid.row(cell));
   if (westwards) column = columns - 1 - column;
@@ -321,13 +322,15 @@ std::string gridKey(const FieldHead& head) {
     if (coordinates > 0 && place != 255 && place > 6 && place - 1 <= key.size())
       key.erase(place - 1, coordinates);
     clear(17);
-    return "1" + key.substr(5);
+    key.replace(0, 5, 1, '1');
+    return key;
   }
   const int type =
       key.size() < 14 ? 0 : static_cast<unsigned char>(key[12]) << 8 | static_cast<unsigned char>(key[13]);
   const bool projection = type == 10 || type == 12 || type == 20 || type == 30 || type == 31;
   clear(projection ? 47 : 55);
-  return "2" + key;
+  key.insert(key.begin(), '2');
+  return key;
 }
 
 bool windsAlongAxes(const FieldHead& head) {
