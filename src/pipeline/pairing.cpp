@@ -73,10 +73,7 @@ class TypingInModelCell {
   TypingInModelCell(std::vector<FineCell> cells, const std::vector<const Layer*>& water, Pairing& pairing,
                     std::vector<Layer>& out)
       : cells_(std::move(cells)), water_(water), pairing_(pairing), out_(out), met_(water.size()) {
-    for (FineCell& cell : cells_) {
-      area_ += cell.areaSquareMeters;
-      clear_ += cell.layers.empty() ? cell.areaSquareMeters : 0;
-    }
+    for (const FineCell& cell : cells_) area_ += cell.areaSquareMeters;
     meet();
     for (std::size_t w = 0; w < water_.size(); ++w) share(*water_[w], met_[w]);
   }
@@ -120,7 +117,7 @@ class TypingInModelCell {
       out_.push_back(typedWithWater(*one.typed, water, cover, "typing"));
     }
     const double rest = wanted - given;
-    if (rest > kLeastCover * wanted) given += spread(water, met, rest);
+    given += spread(water, met, rest);
     pairing_.keptCover += given;
     if (met.empty()) ++pairing_.modelAlone;
   }
@@ -142,26 +139,31 @@ class TypingInModelCell {
     return 0.5 * (low + high);
   }
 
-  /// The rest of a layer of the model, alike in all cells that the typing leaves clear; if there is none, in
-  /// those whose typed layers do not meet it.
+  /// The rest of a layer of the model: alike in all cells that the typing leaves clear, and what they cannot
+  /// hold in those whose typed layers do not meet it.
   double spread(const Layer& water, const std::vector<Met>& met, double rest) {
     std::set<const FineCell*> meeting;
     for (const Met& one : met) meeting.insert(one.cell);
-    const auto takes = [&](const FineCell& cell) {
-      return clear_ > 0 ? cell.layers.empty() : !meeting.contains(&cell);
-    };
+    std::vector<const FineCell*> clear, typed;
+    for (const FineCell& cell : cells_)
+      if (!meeting.contains(&cell)) (cell.layers.empty() ? clear : typed).push_back(&cell);
+    const double given = fill(clear, water, met, rest);
+    return given + fill(typed, water, met, rest - given);
+  }
+
+  double fill(const std::vector<const FineCell*>& cells, const Layer& water, const std::vector<Met>& met,
+              double wanted) {
     double area = 0;
-    for (const FineCell& cell : cells_) area += takes(cell) ? cell.areaSquareMeters : 0;
-    if (area <= 0) return 0;
-    const auto cover = static_cast<float>(std::min(1.0, rest / area));
-    for (const FineCell& cell : cells_) {
-      if (!takes(cell)) continue;
+    for (const FineCell* cell : cells) area += cell->areaSquareMeters;
+    if (area <= 0 || wanted <= kLeastCover * area) return 0;
+    const auto cover = static_cast<float>(std::min(1.0, wanted / area));
+    for (const FineCell* cell : cells) {
       Layer layer = water;
-      layer.cell = cell.cell;
+      layer.cell = cell->cell;
       layer.fraction = cover;
-      const int own = nearest(water, cell.layers, kAnyReach);
-      const Layer* typed =
-          own >= 0 ? cell.layers[static_cast<std::size_t>(own)] : (met.empty() ? nullptr : met.front().typed);
+      const int own = nearest(water, cell->layers, kAnyReach);
+      const Layer* typed = own >= 0 ? cell->layers[static_cast<std::size_t>(own)]
+                                    : (met.empty() ? nullptr : met.front().typed);
       if (typed && isTyped(*typed)) {
         layer.genus = typed->genus;
         layer.rule = "typing.spread";
@@ -176,7 +178,7 @@ class TypingInModelCell {
   Pairing& pairing_;
   std::vector<Layer>& out_;
   std::vector<std::vector<Met>> met_;
-  double area_ = 0, clear_ = 0;
+  double area_ = 0;
 };
 
 /// A coarse typing cell and the finer model's cells whose centres lie in it.

@@ -177,7 +177,7 @@ TEST(Inputs, WeatherCodesOfTheExample) {
                                folder.path() / "scene", "--json", "--formats", "splats"});
   ASSERT_EQ(ran.exitCode, 0) << ran.err;
   const json report = json::parse(ran.out);
-  EXPECT_EQ(report.at("source").at("format"), "weather codes");
+  EXPECT_EQ(report.at("source").at("format"), "weather codes (JSON)");
   EXPECT_GE(report.at("counts").at("clouds").get<int>(), 75) << "many clouds: the thesis's count";
 }
 
