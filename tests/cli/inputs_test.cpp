@@ -33,7 +33,7 @@ struct Input {
 const Input kInputs[] = {
     {"gfs_2p5_20110110_f120.grib2", "levels", 21, 1, "longlat", {"Xu & Randall"}, {"one_condensate"}},
     {"wrfout_katrina_mercator_20050828.nc", "levels", 14, 4, "merc", {}, {"liquid_holds_ice", "sphere"}},
-    {"era5_cirrus_16x8x4x13.nc", "levels", 4, 13, "longlat", {}, {"several_times"}},
+    {"era5_cirrus_16x8x4x13.nc", "levels", 4, 13, "longlat", {}, {"several_times", "dimension_order"}},
     {"gfs_icmr_17x17x3x7.nc", "levels", 3, 7, "longlat", {}, {}},
     {"eta_g211_lambert_20041208_f24.grib2", "levels", 19, 1, "lcc", {"RH"}, {"negative_cloud_height"}},
     {"ruc13_g212_2005080700_f00.grb", "levels", 39, 1, "lcc", {"RH", "hypsometric"}, {}},

@@ -2,6 +2,7 @@
 #include "input/netcdf/cf.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -207,7 +208,22 @@ class CfFile {
     return dimension ? file_->dimensions()[stored.placed.variable->dimensions[*dimension]].length : 1;
   }
 
+  /// Readers that trust the usual order (time, level, latitude, longitude) take such a file for another sky.
+  void warnOfOrder(const Placed& placed) {
+    if (!placed.x || !placed.y) return;
+    std::vector<std::size_t> usual;
+    for (const auto& place : {placed.time, placed.vertical, placed.y, placed.x})
+      if (place) usual.push_back(*place);
+    if (std::is_sorted(usual.begin(), usual.end())) return;
+    std::vector<std::string> names;
+    for (const std::size_t dimension : placed.variable->dimensions)
+      names.push_back(file_->dimensions()[dimension].name);
+    builder_.warn("dimension_order", fmt::format("dimensions run {}: they are told by their coordinates",
+                                                 fmt::join(names, ", ")));
+  }
+
   void addFields(const Stored& stored) {
+    warnOfOrder(stored.placed);
     const Variable& variable = *stored.placed.variable;
     if (lengthOf(stored, stored.placed.time) > kMostMoments ||
         lengthOf(stored, stored.placed.step) >

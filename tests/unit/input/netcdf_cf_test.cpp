@@ -31,6 +31,10 @@ TEST(NetcdfCf, EveryOrderOfDimensionsMeansTheSame) {
     const auto contents = contentsOf(plainFile(order));
     const auto fields = fieldsOf(contents, Quantity::CloudLiquid);
     ASSERT_EQ(fields.size(), 4u);
+    const bool usual = order == std::vector<std::string>{"time", "level", "lat", "lon"};
+    EXPECT_EQ(std::any_of(contents.warnings.begin(), contents.warnings.end(),
+                          [](const auto& warning) { return warning.id == "dimension_order"; }),
+              !usual);
     for (const auto* field : fields) {
       const std::size_t level = field->vertical.value == 50000 ? 0 : 1;
       const std::size_t time = field->valid == base::utcFromIso("2020-01-01T06:00:00Z") ? 1 : 0;
