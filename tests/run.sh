@@ -48,6 +48,9 @@ else
   fail 1 "ctest: no result"
 fi
 
+say "What each real input gave (cli_Inputs)"
+grep -a '^| ' build/dev/Testing/Temporary/LastTest.log || echo "nothing: ../shared/data is not there"
+
 say "Four skies, and what the validator says of them"
 scenes=build/scenes
 rm -rf "$scenes"

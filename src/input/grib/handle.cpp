@@ -85,6 +85,15 @@ std::string message1(const std::array<std::string, 8>& sections) {
   return bytes;
 }
 
+/// Octets that ecCodes may look at past the end of a message: up to a word a value where GRIB1 is packed by
+/// second order (section 4, octet 4).
+std::size_t paddingOf(const FieldLocation& location, const std::array<std::string, 8>& sections,
+                      std::size_t count) {
+  constexpr char kSecondOrder = 0x40;
+  const bool second = location.edition == 1 && sections[4].size() > 3 && (sections[4][3] & kSecondOrder) != 0;
+  return second ? 2 * kPadding + 4 * count : kPadding;
+}
+
 /// A handle of ecCodes over bytes that it keeps.
 class Handle {
  public:
@@ -139,7 +148,7 @@ void decodeValues(const FieldLocation& location, std::size_t count, std::vector<
   std::array<std::string, 8> sections = readSections(location);
   checkPacking(location, sections, count);
   const Handle handle(location.edition == 1 ? message1(sections) : valuesMessage2(sections, count),
-                      location.name(), location.edition == 1 ? 2 * kPadding + 4 * count : kPadding);
+                      location.name(), paddingOf(location, sections, count));
   sections = {};
   values.resize(count);
   std::size_t stated = 0, read = count;

@@ -66,12 +66,6 @@ field::StatedLayer layerOf(CloudPart kind, const CoverColumn::Part& part, const 
 
 }  // namespace
 
-double standardHeight(double pressurePa) {
-  constexpr double kSeaLevelPa = 101325, kTropopausePa = 22632, kTropopauseMeters = 11000;
-  if (pressurePa < kTropopausePa) return kTropopauseMeters + 6341.6 * std::log(kTropopausePa / pressurePa);
-  return 44330.8 * (1 - std::pow(pressurePa / kSeaLevelPa, 0.190263));
-}
-
 void visitCoverLayers(const CoverColumn& column, std::uint32_t cell,
                       const std::function<void(const field::StatedLayer&)>& visit) {
   std::map<CloudPart, CoverColumn::Part> parts = column.parts;

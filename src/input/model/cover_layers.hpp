@@ -28,7 +28,4 @@ struct CoverColumn {
 void visitCoverLayers(const CoverColumn& column, std::uint32_t cell,
                       const std::function<void(const field::StatedLayer&)>& visit);
 
-/// Height in the ICAO standard atmosphere (troposphere and the isothermal layer above), m.
-double standardHeight(double pressurePa);
-
 }  // namespace cloudgen::input::model

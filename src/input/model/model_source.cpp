@@ -9,6 +9,7 @@
 #include <limits>
 #include <numeric>
 
+#include "field/standard_atmosphere.hpp"
 #include "input/model/choice.hpp"
 #include "input/model/cover_layers.hpp"
 #include "input/model/traps.hpp"
@@ -129,7 +130,7 @@ class ModelSource : public field::Source {
     heights = singleAt({base ? SingleKind::CloudBasePressure : SingleKind::CloudTopPressure, part}, cells);
     for (float& height : heights) {
       const bool real = height > 1000 && height < 110000;
-      height = real ? static_cast<float>(standardHeight(height)) : kMissing;
+      height = real ? static_cast<float>(field::standardHeight(height)) : kMissing;
     }
     return heights;
   }

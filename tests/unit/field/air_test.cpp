@@ -66,7 +66,7 @@ TEST(Air, HeightsFromTheStandardAtmosphereAreStated) {
   const CloudColumns made = air.collected();
   ASSERT_EQ(made.cells.size(), 4u);
   EXPECT_TRUE(derives(made, "height", "ICAO"));
-  EXPECT_NEAR(made.states[0].surfaceHeightMeters, 111, 1) << "1000 hPa";
+  EXPECT_EQ(made.states[0].surfaceHeightMeters, 0) << "isobaric levels do not follow the ground";
 }
 
 TEST(Air, PressureOfHybridLevelsIsAValueOfTheCell) {

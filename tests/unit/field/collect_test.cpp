@@ -167,7 +167,7 @@ TEST(Collect, KIndexByHand) {
   const CloudColumns columns = collectColumns(air, {0, 1});
   EXPECT_NEAR(columns.states[0].kIndexC, (20 + 10) + 15 - (8 - 4), 0.02);
   EXPECT_NEAR(columns.states[1].dewPoint700K, 277.15, 0.01);
-  EXPECT_NEAR(columns.states[0].surfaceHeightMeters, 100, 0.2);
+  EXPECT_EQ(columns.states[0].surfaceHeightMeters, 0) << "nothing tells the ground: sea level";
 }
 
 TEST(Collect, KIndexIsMissingWhereItsLevelsAre) {

@@ -8,7 +8,6 @@
 #include <numeric>
 
 #include "base/error.hpp"
-#include "input/model/cover_layers.hpp"
 #include "support/made_contents.hpp"
 
 namespace cloudgen::input::model {
@@ -256,13 +255,6 @@ TEST(ModelSource, WhatSaysNothingOfCloudsIsRefusedByName) {
   } catch (const base::InputError& error) {
     EXPECT_STREQ(error.problem().c_str(), "says nothing about clouds; it holds t, u");
   }
-}
-
-TEST(StandardHeight, OfTheIcaoAtmosphere) {
-  EXPECT_NEAR(standardHeight(101325), 0, 1);
-  EXPECT_NEAR(standardHeight(50000), 5574, 3);
-  EXPECT_NEAR(standardHeight(22632), 11000, 5);
-  EXPECT_NEAR(standardHeight(10000), 16180, 10);
 }
 
 }  // namespace
