@@ -23,7 +23,8 @@ struct CloudCell {
 
 /// What the column says whether or not it is cloudy; steps 1 to 3 use it.
 struct ColumnState {
-  float surfaceHeightMeters = 0;  ///< ground; where nothing tells it, the lowest level, of isobaric ones the sea
+  float surfaceHeightMeters =
+      0;  ///< ground; where nothing tells it, the lowest level, of isobaric ones the sea
   float temperature850K = 0, temperature500K = 0, dewPoint850K = 0, temperature700K = 0, dewPoint700K = 0;
   float kIndexC = 0;  ///< K-index, George 1960; NaN where levels are missing
 };
