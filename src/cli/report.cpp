@@ -27,6 +27,14 @@ ordered_json rulesOf(const scene::Scene& scene) {
   return ordered_json(counts);
 }
 
+ordered_json isccpOf(const pipeline::Outcome& outcome) {
+  ordered_json classes = ordered_json::object();
+  for (const auto& [name, genera] : outcome.isccp)
+    for (const auto& [genus, count] : genera)
+      classes[std::string(name)][std::string(base::abbreviation(genus))] = count;
+  return classes;
+}
+
 ordered_json filesIn(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> paths;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
@@ -99,6 +107,7 @@ ordered_json reportOf(const field::Source& source, const field::Source* typing,
                       {"tiles", scene::tilesOf(scene).size()}};
   report["genera"] = generaOf(scene);
   report["rules"] = rulesOf(scene);
+  report["isccp"] = isccpOf(outcome);
   report["enlargement"] = rounded(outcome.enlargement, 1000);
   report["derived"] = ordered_json::array();
   for (const auto& [what, how] : outcome.derived) report["derived"].push_back({{"what", what}, {"how", how}});

@@ -8,6 +8,7 @@
 
 #include "field/collect.hpp"
 #include "pipeline/generalisation.hpp"
+#include "pipeline/isccp.hpp"
 #include "pipeline/location.hpp"
 #include "pipeline/origin.hpp"
 #include "pipeline/production.hpp"
@@ -81,6 +82,7 @@ Outcome run(const field::Source& source, const Options& options, const base::Pro
 
   progress.step("type", 0.2);
   typeLayers(grid, table.layers);
+  outcome.isccp = isccpConfusion(table.layers);
 
   progress.step("quantity", 0.25);
   const Generalisation general = generalise(grid, table.layers, options, box);

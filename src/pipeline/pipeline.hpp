@@ -19,6 +19,8 @@ struct Outcome {
   scene::Scene scene;
   std::uint64_t columns = 0, cells = 0, layers = 0, patches = 0;
   double enlargement = 1;
+  /// ISCCP class, genus, layers: the second opinion on the types.
+  std::map<std::string_view, std::map<base::Genus, std::uint64_t>> isccp;
   std::optional<Pairing> pairing;  ///< with a typing
   std::vector<std::pair<std::string, std::string>>
       derived;  ///< what was not in the input, and how it was made
