@@ -9,7 +9,7 @@
 namespace cloudgen::check {
 namespace {
 
-constexpr std::size_t kMostCards = 24'000'000, kMostVisits = 48'000'000;
+constexpr std::size_t kMostCards = 10'000'000, kMostVisits = 20'000'000;
 /// Alpha is written with three decimals: what is above may be any optical depth from 7.6 on.
 constexpr float kMostOpaque = 0.9995f;
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/error.hpp"
 #include "base/thread.hpp"
 #include "check/fidelity/genus_score.hpp"
 #include "check/fidelity/imager.hpp"
@@ -13,10 +14,19 @@
 namespace cloudgen::check {
 namespace {
 
+/// Columns of which less lies in the box than this part of the largest share are left out.
 constexpr double kLeastShareInside = 0.25;
 constexpr double kRays = 400'000;  ///< of all columns together, about
 constexpr int kFewestAcross = 6, kMostAcross = 200;
 constexpr std::size_t kWorst = 5;
+
+void leaveOutMargins(std::vector<ModelColumn>& columns) {
+  double largest = 0;
+  for (const ModelColumn& column : columns) largest = std::max(largest, column.shareInside);
+  std::erase_if(columns, [&](const ModelColumn& column) {
+    return !(column.shareInside > kLeastShareInside * largest);
+  });
+}
 
 /// Places evenly over a cell, by the additive recurrence of the plastic number (Roberts 2018), which repeats
 /// no lattice of clouds; those within the box, in the scene.
@@ -178,7 +188,10 @@ Fidelity compareWithModel(const WrittenScene& scene, const base::LocalFrame& fra
   fidelity.saturated = scene.saturated;
   progress.step("verify: model", 0);
   auto columns = modelColumns(model, frame.box());
-  std::erase_if(columns, [](const ModelColumn& column) { return column.shareInside < kLeastShareInside; });
+  leaveOutMargins(columns);
+  if (columns.empty())
+    throw base::InputError(model.info().files.empty() ? "input" : model.info().files.front(),
+                           "has no column in the box of the scene", "name the input that it was made from");
   fidelity.raysAcross = std::clamp(
       static_cast<int>(
           std::lround(std::sqrt(kRays / static_cast<double>(std::max<std::size_t>(1, columns.size()))))),

@@ -80,9 +80,10 @@ struct Fidelity {
   std::vector<Breach> breaches;
 };
 
-/// Compares a written scene, standing in the frame, with its model, column by column. Columns of which under
-/// a quarter lies in the box are left out. Types are compared with the typing, if there is one, else with a
-/// source that states its layers.
+/// Compares a written scene, standing in the frame, with its model, column by column. Columns that the box
+/// cuts to under a quarter of what it holds of others are left out. Types are compared with the typing, if
+/// there is one, else with a source that states its layers. Throws InputError if the model has no column in
+/// the frame's box.
 Fidelity compareWithModel(const WrittenScene& scene, const base::LocalFrame& frame,
                           const field::Source& model, const field::Source* typing,
                           const Tolerances& tolerances, const base::Progress& progress);
