@@ -23,7 +23,7 @@ struct VerifyLine {
   std::string folder, typing, format = "auto", maps;
   double typingWindowMinutes = 180;
   int threads = 0;
-  bool json = false;
+  bool json = false, noMaps = false;
 };
 
 /// What the report of a scene says about where and when it is.
@@ -54,6 +54,25 @@ void takeTime(InputLine& input, const SceneReport& report) {
     if (base::isoText(time) == report.validTime) input.time = report.validTime;
 }
 
+/// Into the scene's own folder unless another is named; the figures are told even if there is no room for
+/// the maps there.
+void writeMaps(const VerifyLine& line, const check::Fidelity& fidelity, const field::Grid& grid,
+               const base::GeoBox& box, const Terminal& terminal) {
+  const fs::path folder = line.maps.empty() ? fs::path(line.folder) / "verify" : fs::path(line.maps);
+  try {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error)
+      throw base::OutputError(folder.string(), "cannot be made (" + error.message() + ")",
+                              "name another folder with -o, or leave the maps out with --no-maps");
+    const auto names = writeFidelityMaps(fidelity, grid, box, folder);
+    terminal.say(fmt::format("{}: {} maps (model, scene, scene minus model)", folder.string(), names.size()));
+  } catch (const base::OutputError& error) {
+    if (!line.maps.empty()) throw;
+    terminal.warn(fmt::format("no maps: {} {}", error.where(), error.problem()));
+  }
+}
+
 int verify(const VerifyLine& line, const Terminal& terminal) {
   const base::ThreadLimit limit(line.threads);
   const base::Progress progress = terminal.progress();
@@ -75,15 +94,7 @@ int verify(const VerifyLine& line, const Terminal& terminal) {
   const check::Tolerances tolerances;
   const check::Fidelity fidelity = check::compareWithModel(
       readWritten(line.folder, line.format, progress), frame, *source, typing.get(), tolerances, progress);
-  if (!line.maps.empty()) {
-    std::error_code error;
-    fs::create_directories(line.maps, error);
-    if (error)
-      throw base::OutputError(line.maps, "cannot be made (" + error.message() + ")",
-                              "name another folder with -o");
-    const auto names = writeFidelityMaps(fidelity, source->grid(), report.box, line.maps);
-    terminal.say(fmt::format("{}: {} maps (model, scene, scene minus model)", line.maps, names.size()));
-  }
+  if (!line.noMaps) writeMaps(line, fidelity, source->grid(), report.box, terminal);
   if (line.json)
     print(fidelityJson(fidelity, tolerances).dump(2));
   else if (!terminal.quiet)
@@ -107,8 +118,10 @@ std::function<int()> setupVerify(CLI::App& options, const Terminal& terminal) {
   options.add_option("--format", line->format, "which file to read: x3d, splats or auto (what is there)")
       ->check(CLI::IsMember({"auto", "x3d", "splats"}))
       ->capture_default_str();
-  options.add_option("-o,--output", line->maps,
-                     "folder for maps (PNG) of model, scene and difference side by side");
+  options.add_option(
+      "-o,--output", line->maps,
+      "folder for maps (PNG) of model, scene and difference side by side (default: DIR/verify)");
+  options.add_flag("--no-maps", line->noMaps, "leave the maps out");
   options.add_option("--threads", line->threads, "worker threads (0: all cores)")->check(CLI::Range(0, 1024));
   options.add_flag("--json", line->json, "one JSON object on stdout");
   options.footer(

@@ -17,12 +17,12 @@ using namespace cloudgen::test;
 using Words = std::vector<std::string>;
 using nlohmann::json;
 
-/// Two columns of cumulus, one of them under cirrus.
+/// Stratocumulus under cirrostratus.
 constexpr const char* kSky =
     R"({"cloudgen_sky": 1, "title": "a sky to verify", "valid_time": "2026-06-21T20:00:00Z",
   "bbox": [-122.4, 36.6, -122.0, 36.9],
-  "layers": [{"genus": "Cu", "cover": 0.3, "base_m": 1000, "top_m": 1800, "optical_depth": 12},
-             {"genus": "Ci", "cover": 0.5, "base_m": 9000, "top_m": 10000, "optical_depth": 1}]})";
+  "layers": [{"genus": "Sc", "cover": 0.8, "base_m": 900, "top_m": 1400, "optical_depth": 3},
+             {"genus": "Cs", "cover": 0.6, "base_m": 9000, "top_m": 10000, "optical_depth": 1}]})";
 
 class Verify : public ::testing::Test {
  protected:
@@ -33,7 +33,8 @@ class Verify : public ::testing::Test {
   }
   /// The result for one of the formats, checked against its schema and the exit code.
   json verified(const std::string& format) const {
-    const Ran ran = runCloudgen({"verify", scene, "--against", sky, "--format", format, "--json"});
+    const Ran ran =
+        runCloudgen({"verify", scene, "--against", sky, "--format", format, "--json", "--no-maps"});
     json result = json::parse(ran.out, nullptr, false);
     if (result.is_discarded()) {
       ADD_FAILURE() << ran.out << ran.err;
@@ -105,7 +106,7 @@ TEST_F(Verify, ComparesEachFormatWithTheModel) {
   EXPECT_TRUE(verified("splats").at("genus").at("agreement").is_null());
 }
 
-TEST_F(Verify, TellsAScenesChanges) {
+TEST_F(Verify, TellsThatATenthIsMissing) {
   const json before = verified("splats");
   const double depth = before.at("optical_depth").at("scene_mean");
   change("scene.splats.glb", [](std::string& glb) {
@@ -126,9 +127,9 @@ TEST_F(Verify, TellsDoubledOpticalDepth) {
 
 TEST_F(Verify, TellsSwappedTypes) {
   change("scene.x3d", [](std::string& text) {
-    replaceAll(text, "textures/cumulus.png", "textures/swapped");
-    replaceAll(text, "textures/cirrus.png", "textures/cumulus.png");
-    replaceAll(text, "textures/swapped", "textures/cirrus.png");
+    replaceAll(text, "textures/stratocumulus.png", "textures/swapped");
+    replaceAll(text, "textures/cirrostratus.png", "textures/stratocumulus.png");
+    replaceAll(text, "textures/swapped", "textures/cirrostratus.png");
   });
   const json drawn = verified("x3d");
   EXPECT_EQ(drawn.at("genus").at("agreement"), 0);
@@ -136,7 +137,7 @@ TEST_F(Verify, TellsSwappedTypes) {
 }
 
 TEST_F(Verify, TellsAFalseRecord) {
-  change("scene.x3d", [](std::string& text) { replaceAll(text, "\"Cu\"", "\"Sc\""); });
+  change("scene.x3d", [](std::string& text) { replaceAll(text, "\"Sc\"", "\"Cu\""); });
   const json result = verified("x3d");
   EXPECT_LT(result.at("genus").at("agreement").get<double>(), 1);
   EXPECT_TRUE(breaks(result, "genus.agreement"));
@@ -151,6 +152,14 @@ TEST_F(Verify, DrawsMapsAndSpeaksToPeople) {
   EXPECT_EQ(names.size(), 7u);
   for (const auto& [name, bytes] : contentOf(folder.path() / "maps"))
     EXPECT_EQ(bytes.substr(1, 3), "PNG") << name;
+}
+
+TEST_F(Verify, MapsStandBesideTheScene) {
+  const auto before = namesIn(scene);
+  runCloudgen({"verify", scene, "--against", sky, "--no-maps"});
+  EXPECT_EQ(namesIn(scene), before);
+  runCloudgen({"verify", scene, "--against", sky, "-q"});
+  EXPECT_TRUE(std::filesystem::exists(scene + "/verify/cover.png"));
 }
 
 TEST_F(Verify, ABuildMayVerifyItself) {
