@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <optional>
 
@@ -10,8 +11,10 @@
 #include "base/text.hpp"
 #include "base/thread.hpp"
 #include "cli/command.hpp"
+#include "cli/fidelity_report.hpp"
 #include "cli/input_options.hpp"
 #include "cli/report.hpp"
+#include "cli/verification.hpp"
 #include "writer/catalogue.hpp"
 
 namespace cloudgen::cli {
@@ -24,7 +27,7 @@ struct BuildLine {
   double typingWindowMinutes = 180;
   std::uint64_t seed = 1, maxPuffs = 200'000;
   int threads = 0;
-  bool overwrite = false, json = false;
+  bool overwrite = false, json = false, verify = false;
 };
 
 void refuseWhatIsNotBuilt(const BuildLine& line) {
@@ -38,6 +41,15 @@ void refuseWhatIsNotBuilt(const BuildLine& line) {
   if (line.frame == "geo") refuse("--frame geo", "the curved-Earth frame");
   if (line.frame != "local")
     throw base::UsageError("--frame " + line.frame, "is not a known frame", "use local");
+}
+
+void refuseWhatCannotBeVerified(const BuildLine& line, std::span<const writer::Format* const> formats) {
+  const bool read = std::any_of(formats.begin(), formats.end(), [](const writer::Format* format) {
+    return format->name == "x3d" || format->name == "splats";
+  });
+  if (line.verify && !read)
+    throw base::UsageError("--verify", "reads x3d or splats, and neither is written",
+                           "add one of them to --formats");
 }
 
 std::optional<std::pair<double, double>> sunFromText(const std::string& text) {
@@ -89,6 +101,7 @@ void takeConfig(CLI::App& options, const std::string& file) {
 int build(const BuildLine& line, const Terminal& terminal) {
   refuseWhatIsNotBuilt(line);
   const auto formats = writer::chosenFormats(line.formats);
+  refuseWhatCannotBeVerified(line, formats);
   pipeline::Options options;
   if (!line.box.empty()) options.box = base::boxFromText(line.box);
   options.seed = line.seed;
@@ -114,13 +127,26 @@ int build(const BuildLine& line, const Terminal& terminal) {
     format->write(outcome.scene, {folder.path(), progress});
     watch.lap(fmt::format("write_{}", format->name));
   }
-  const auto report = reportOf(*source, typing.get(), outcome, folder.path(), watch.laps());
+  std::optional<check::Fidelity> fidelity;
+  const check::Tolerances tolerances;
+  if (line.verify) {
+    const auto written = readWritten(folder.path(), "auto", progress);
+    fidelity =
+        check::compareWithModel(written, outcome.scene.frame, *source, typing.get(), tolerances, progress);
+    watch.lap("verify");
+  }
+  auto report = reportOf(*source, typing.get(), outcome, folder.path(), watch.laps());
+  if (fidelity) report["verify"] = fidelityJson(*fidelity, tolerances);
   base::writeFile(folder.path() / "report.json", report.dump(2) + "\n");
   progress.step("writing", 1);
   folder.commit();
 
   for (const std::string& warning : outcome.warnings) terminal.warn(warning);
   if (line.json) print(report.dump(2));
+  if (fidelity && !fidelity->breaches.empty())
+    terminal.warn(
+        fmt::format("the sky is not within {} of the tolerances of verify; report.json has the figures",
+                    fidelity->breaches.size()));
   terminal.say(fmt::format("{}: {} clouds of {} puffs from {} model columns, valid {}", line.output,
                            outcome.scene.clouds.size(), scene::drawnPuffs(outcome.scene), outcome.columns,
                            base::isoText(outcome.scene.validTime)));
@@ -168,6 +194,8 @@ std::function<int()> setupBuild(CLI::App& options, const Terminal& terminal) {
   const auto config = std::make_shared<std::string>();
   options.add_option("--config", *config,
                      "options from a TOML file, as in seed = 7; the command line goes before it");
+  options.add_flag("--verify", line->verify,
+                   "read the scene back, compare it with the model and put the result into report.json");
   options.add_flag("--overwrite", line->overwrite, "replace a folder that cloudgen made before");
   options.add_flag("--json", line->json, "print the report to stdout");
   return [line, config, &options, &terminal] {

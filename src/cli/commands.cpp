@@ -19,7 +19,6 @@ std::function<int()> notBuilt(CLI::App& options) {
 
 }  // namespace
 
-std::function<int()> setupVerify(CLI::App& options, const Terminal&) { return notBuilt(options); }
 std::function<int()> setupExplain(CLI::App& options, const Terminal&) { return notBuilt(options); }
 std::function<int()> setupMerge(CLI::App& options, const Terminal&) { return notBuilt(options); }
 
@@ -28,11 +27,11 @@ std::span<const Command> commands() {
       {"build", "make a 3D sky from model output", setupBuild},
       {"inspect", "what is in the input, what would be used, what is missing", setupInspect},
       {"validate", "check scenes against the schema and the rules of the standard", setupValidate},
+      {"verify", "compare a written scene with its model, column by column", setupVerify},
       {"preview", "a picture of a written scene", setupPreview},
       {"textures", "make the sprite set", setupTextures},
       {"types", "the cloud types and their recipes", setupTypes},
       {"formats", "the output formats", setupFormats},
-      {"verify", "compare a written scene with the model (not built yet)", setupVerify},
       {"explain", "why is this cloud there? (not built yet)", setupExplain},
       {"merge", "join shards into one scene (not built yet)", setupMerge},
   };

@@ -55,6 +55,10 @@ void addInputOptions(CLI::App& options, InputLine& line) {
           "what says something about clouds: GRIB, NetCDF, CDFS II / WWMCA (files or a folder), METAR, "
           "weather codes (JSON), or a described sky (*.sky.json)")
       ->required();
+  addReadingOptions(options, line);
+}
+
+void addReadingOptions(CLI::App& options, InputLine& line) {
   options.add_option("--time", line.time, "a valid time (ISO), or all: the first of several is taken")
       ->capture_default_str();
   options.add_option("--at", line.place,

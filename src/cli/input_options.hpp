@@ -18,6 +18,9 @@ struct InputLine {
 /// Declares INPUT, --time, --at, --byte-order and --stations.
 void addInputOptions(CLI::App& options, InputLine& line);
 
+/// Declares --time, --at, --byte-order and --stations alone, where INPUT has another name.
+void addReadingOptions(CLI::App& options, InputLine& line);
+
 /// The options read; throws UsageError with what is wrong.
 input::OpenOptions openOptions(const InputLine& line);
 

@@ -6,11 +6,8 @@
 #include <cstdio>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <valijson/adapters/nlohmann_json_adapter.hpp>
-#include <valijson/schema.hpp>
-#include <valijson/schema_parser.hpp>
-#include <valijson/validator.hpp>
 
+#include "cli/fits_schema.hpp"
 #include "cli/program.hpp"
 #include "support/scratch.hpp"
 
@@ -46,20 +43,6 @@ const Input kInputs[] = {
     {"icon_ny-alesund_column_20210104.nc", "levels", 90, 25, "", {}, {}},
     {"metar_collective.txt", "layers", 0, 0, "longlat", {}, {"unknown_station"}},
 };
-
-void expectFitsSchema(const json& document, const std::string& schemaFile) {
-  std::ifstream stream(std::string(CLOUDGEN_SOURCE_DIR) + "/schemas/" + schemaFile);
-  const json text = json::parse(stream);
-  valijson::Schema schema;
-  valijson::SchemaParser parser;
-  const valijson::adapters::NlohmannJsonAdapter schemaAdapter(text), documentAdapter(document);
-  parser.populateSchema(schemaAdapter, schema);
-  valijson::Validator validator;
-  valijson::ValidationResults results;
-  EXPECT_TRUE(validator.validate(schema, documentAdapter, &results)) << schemaFile;
-  valijson::ValidationResults::Error error;
-  while (results.popError(error)) ADD_FAILURE() << error.description;
-}
 
 std::string joined(const std::vector<std::string>& words) {
   std::string text;

@@ -118,9 +118,14 @@ TEST_F(Refusal, WhatIsNotBuilt) {
   refuses(buildWith({"--formats", "x3d,vdb"}), kNotBuilt, "vdb");
   refuses(buildWith({"--frame", "geo"}), kNotBuilt, "--frame geo");
   refuses(buildWith({"--shard", "1/4"}), kNotBuilt, "--shard");
-  refuses({"verify", out, "--against", sky}, kNotBuilt, "verify");
   refuses({"merge", out, "-o", out}, kNotBuilt, "merge");
   refuses({"explain", out, "7"}, kNotBuilt, "explain");
+}
+
+TEST_F(Refusal, ScenesThatCannotBeVerified) {
+  refuses({"verify", out, "--against", sky}, kInput, "report.json");
+  refuses({"verify", out}, kUsage, "--against");
+  refuses(buildWith({"--verify", "--formats", "glb"}), kUsage, "--verify");
 }
 
 TEST_F(Refusal, PlacesThatCannotBeWritten) {

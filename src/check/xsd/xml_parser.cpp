@@ -253,26 +253,29 @@ XmlSchema::XmlSchema(const std::filesystem::path& file) {
   schema_.reset(schema, [](void* handle) { xmlSchemaFree(static_cast<xmlSchemaPtr>(handle)); });
 }
 
-void parseXml(ByteSource& source, const XmlSchema& schema, const XmlVisitor& visitor, FindingList& findings,
-              const base::Progress& progress) {
-  initOnce();
+namespace {
+
+/// With a validator between parser and visitor, or with none.
+void parse(ByteSource& source, xmlSchemaValidCtxtPtr validator, const XmlVisitor& visitor,
+           FindingList& findings, const base::Progress& progress) {
   Pass pass{source, visitor, findings, progress};
-  const std::unique_ptr<xmlSchemaValidCtxt, Freed> validator(
-      xmlSchemaNewValidCtxt(static_cast<xmlSchemaPtr>(const_cast<void*>(schema.handle()))));
   xmlSAXHandler handler{};
   handler.initialized = XML_SAX2_MAGIC;
   handler.startElementNs = onStart;
   handler.endElementNs = onEnd;
   const std::unique_ptr<xmlParserCtxt, Freed> parser(
       xmlCreateIOParserCtxt(&handler, &pass, readChunk, nullptr, &pass, XML_CHAR_ENCODING_NONE));
-  if (!validator || !parser) throw base::OutputError("validate", "memory ran out", "close other programs");
+  if (!parser) throw base::OutputError("X3D", "memory ran out", "close other programs");
   xmlCtxtUseOptions(parser.get(), XML_PARSE_NONET);
   // xmlCtxtUseOptions and the plug copy handlers about: the pass is found again through the parser itself.
   parser->_private = &pass;
   pass.parser = parser.get();
-  xmlSchemaSetValidStructuredErrors(validator.get(), onSchemaProblem, &pass);
-  {
-    const Plug plug(validator.get(), parser.get());
+  if (validator) {
+    xmlSchemaSetValidStructuredErrors(validator, onSchemaProblem, &pass);
+    const Plug plug(validator, parser.get());
+    xmlParseDocument(parser.get());
+  } else {
+    parser->sax->serror = onXmlProblem;
     xmlParseDocument(parser.get());
   }
   if (pass.failure) std::rethrow_exception(pass.failure);
@@ -280,6 +283,23 @@ void parseXml(ByteSource& source, const XmlSchema& schema, const XmlVisitor& vis
   if (!parser->wellFormed && !pass.stopped)
     findings.error(pass.parserPosition(), "xml-malformed", "this is no XML document",
                    "is it the right file?");
+}
+
+}  // namespace
+
+void parseXml(ByteSource& source, const XmlSchema& schema, const XmlVisitor& visitor, FindingList& findings,
+              const base::Progress& progress) {
+  initOnce();
+  const std::unique_ptr<xmlSchemaValidCtxt, Freed> validator(
+      xmlSchemaNewValidCtxt(static_cast<xmlSchemaPtr>(const_cast<void*>(schema.handle()))));
+  if (!validator) throw base::OutputError("validate", "memory ran out", "close other programs");
+  parse(source, validator.get(), visitor, findings, progress);
+}
+
+void parseXml(ByteSource& source, const XmlVisitor& visitor, FindingList& findings,
+              const base::Progress& progress) {
+  initOnce();
+  parse(source, nullptr, visitor, findings, progress);
 }
 
 }  // namespace cloudgen::check

@@ -43,4 +43,8 @@ struct XmlVisitor {
 void parseXml(ByteSource& source, const XmlSchema& schema, const XmlVisitor& visitor, FindingList& findings,
               const base::Progress& progress);
 
+/// The same without a schema, for those who read what has been validated.
+void parseXml(ByteSource& source, const XmlVisitor& visitor, FindingList& findings,
+              const base::Progress& progress);
+
 }  // namespace cloudgen::check

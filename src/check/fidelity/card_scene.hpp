@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/mat4x4.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "check/fidelity/written_scene.hpp"
+
+namespace cloudgen::check {
+
+/// A textured rectangle of a cloud, in the coordinates of its Shape.
+struct Card {
+  glm::vec3 center{0}, right{0}, up{0};  ///< half-sides; its front looks along right x up
+  float alpha = 0;
+  bool front = false, back = false;  ///< which faces are drawn
+};
+
+enum class CardNodeKind { Group, Transform, FirstLevel, Billboard, Shape };
+
+/// What matters of a node of the scene graph; children are indices, and may have several parents (USE).
+struct CardNode {
+  CardNodeKind kind = CardNodeKind::Group;
+  glm::mat4 matrix{1};  ///< of a Transform
+  std::vector<std::uint32_t> children;
+  std::vector<Card> cards;              ///< of a Shape
+  std::optional<base::Genus> drawn;     ///< of a Shape: whose sprites
+  std::optional<base::Genus> recorded;  ///< of a Transform that is a cloud
+  bool isCloud = false;
+  int depth = 1;  ///< of the graph below it
+};
+
+/// Half-side of a card, in standard deviations of its sprite.
+inline constexpr float kCardReach = 2.2f;
+
+/// Walks the graph from the first node down and adds what one sees from above. Throws InputError, naming
+/// `where`, if the scene draws more than can be held.
+void flatten(const std::vector<CardNode>& nodes, const std::string& where, WrittenScene& scene);
+
+}  // namespace cloudgen::check

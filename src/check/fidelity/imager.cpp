@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "check/fidelity/imager.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "check/fidelity/height_profile.hpp"
+
+namespace cloudgen::check {
+namespace {
+
+/// Bins along a side at most: their table stays small beside the blobs.
+constexpr int kMostBins = 1024;
+
+/// What a ray gathers.
+struct Ray {
+  double opticalDepth = 0, transmission = 1;
+  std::array<double, 2> below{};  ///< the two borders of the ranges
+};
+
+/// Share of a normal distribution that lies below a height.
+double shareBelow(double height, double mean, double deviation) {
+  const double distance = height - mean;
+  if (std::abs(distance) >= 4 * deviation) return distance > 0 ? 1 : 0;
+  return 0.5 * std::erfc(-distance / (deviation * std::numbers::sqrt2));
+}
+
+}  // namespace
+
+Imager::Imager(std::span<const Footprint> footprints) : footprints_(footprints) {
+  if (footprints.empty()) {
+    start_.assign(2, 0);
+    return;
+  }
+  glm::dvec2 lower(1e30), upper(-1e30);
+  double sides = 0;
+  for (const Footprint& footprint : footprints) {
+    const glm::dvec2 place(footprint.place), half(footprint.halfSides());
+    lower = glm::dvec2(std::min(lower.x, place.x), std::min(lower.y, place.y));
+    upper = glm::dvec2(std::max(upper.x, place.x), std::max(upper.y, place.y));
+    sides += std::min(1e6, half.x + half.y);
+  }
+  const double extent = std::max({upper.x - lower.x, upper.y - lower.y, 1.0});
+  binMeters_ = std::max(extent / kMostBins, sides / static_cast<double>(footprints.size()));
+  lower_ = lower;
+  columns_ = std::min(kMostBins, static_cast<int>((upper.x - lower.x) / binMeters_) + 1);
+  rows_ = std::min(kMostBins, static_cast<int>((upper.y - lower.y) / binMeters_) + 1);
+  start_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) + 1, 0);
+  const auto eachBin = [&](const auto& take) {
+    for (std::uint32_t i = 0; i < footprints_.size(); ++i) {
+      const BinRange range = binsOf(footprints_[i]);
+      for (int row = range.top; row <= range.bottom; ++row)
+        for (int column = range.left; column <= range.right; ++column)
+          take(static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+                   static_cast<std::size_t>(column),
+               i);
+    }
+  };
+  eachBin([&](std::size_t bin, std::uint32_t) { ++start_[bin + 1]; });
+  for (std::size_t bin = 1; bin < start_.size(); ++bin) start_[bin] += start_[bin - 1];
+  members_.resize(start_.back());
+  std::vector<std::uint32_t> next(start_.begin(), start_.end() - 1);
+  eachBin([&](std::size_t bin, std::uint32_t i) { members_[next[bin]++] = i; });
+}
+
+Imager::BinRange Imager::binsOf(const Footprint& footprint) const {
+  const glm::dvec2 place(footprint.place), half(footprint.halfSides());
+  const auto bin = [&](double meters, int count) {
+    return static_cast<int>(std::clamp(std::floor(meters / binMeters_), 0.0, static_cast<double>(count - 1)));
+  };
+  return {bin(place.x - half.x - lower_.x, columns_), bin(place.x + half.x - lower_.x, columns_),
+          bin(place.y - half.y - lower_.y, rows_), bin(place.y + half.y - lower_.y, rows_)};
+}
+
+SeenColumn Imager::look(std::span<const glm::dvec2> rays, const ModelColumn& column) const {
+  constexpr double kGround = -500, kSpace = 22000;
+  SeenColumn seen;
+  if (rays.empty()) return seen;
+  HeightProfile profile;
+  const double drawnLimit = std::exp(-kCloudyOpticalDepth);
+  for (const glm::dvec2& place : rays) {
+    Ray ray;
+    // Places beyond the outermost bins belong to those, as the footprints that reach out there do.
+    const auto binAlong = [&](double meters, int count) {
+      return static_cast<std::size_t>(
+          std::clamp(std::floor(meters / binMeters_), 0.0, static_cast<double>(count - 1)));
+    };
+    const std::size_t bin = binAlong(place.y - lower_.y, rows_) * static_cast<std::size_t>(columns_) +
+                            binAlong(place.x - lower_.x, columns_);
+    for (std::uint32_t m = start_[bin]; m < start_[bin + 1]; ++m) {
+      const Footprint& blob = footprints_[members_[m]];
+      const glm::vec2 off = glm::vec2(place - glm::dvec2(blob.place));
+      const glm::vec2 deviations = blob.toDeviations * off;
+      const float square = deviations.x * deviations.x + deviations.y * deviations.y;
+      const bool met = blob.square
+                           ? std::abs(deviations.x) <= blob.reach && std::abs(deviations.y) <= blob.reach
+                           : square <= blob.reach * blob.reach;
+      if (!met) continue;
+      const double fall = std::exp(-0.5f * square), depth = blob.opticalDepth * fall;
+      const double height = blob.height + static_cast<double>(blob.heightSlope.x) * off.x +
+                            static_cast<double>(blob.heightSlope.y) * off.y;
+      ray.opticalDepth += depth;
+      ray.transmission *= 1 + std::expm1(-static_cast<double>(blob.opticalDepth)) * fall;
+      for (std::size_t border = 0; border < 2; ++border)
+        ray.below[border] += depth * shareBelow(column.borders[border], height, blob.heightDeviation);
+      profile.addGaussian(height, blob.heightDeviation, depth);
+    }
+    seen.view.opticalDepth += ray.opticalDepth;
+    if (ray.opticalDepth > kCloudyOpticalDepth) seen.view.cover += 1;
+    if (ray.transmission < drawnLimit) seen.drawnCover += 1;
+    const std::array<double, kRanges> parts{ray.below[0], ray.below[1] - ray.below[0],
+                                            ray.opticalDepth - ray.below[1]};
+    for (std::size_t range = 0; range < kRanges; ++range)
+      if (parts[range] > kCloudyOpticalDepth) seen.view.coverIn[range] += 1;
+  }
+  const auto count = static_cast<double>(rays.size());
+  seen.view.opticalDepth /= count;
+  seen.view.cover /= count;
+  seen.drawnCover /= count;
+  for (double& cover : seen.view.coverIn) cover /= count;
+  if (!(seen.view.cover > 0)) return seen;
+  const std::array<double, 4> edges{kGround, column.borders[0], column.borders[1], kSpace};
+  const auto lowest = static_cast<std::size_t>(column.lowestRange),
+             highest = static_cast<std::size_t>(column.highestRange);
+  seen.view.baseMeters = profile.heightAt(kBorderShare, edges[lowest], edges[lowest + 1]);
+  seen.view.topMeters = profile.heightAt(1 - kBorderShare, edges[highest], edges[highest + 1]);
+  return seen;
+}
+
+}  // namespace cloudgen::check

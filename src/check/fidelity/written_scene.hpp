@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/genus.hpp"
+#include "base/progress.hpp"
+#include "check/fidelity/footprint.hpp"
+
+namespace cloudgen::check {
+
+/// A cloud that a scene names: where its foot stands, what its record says and with whose sprites it is
+/// drawn.
+struct WrittenCloud {
+  glm::vec3 foot{0};
+  std::optional<base::Genus> recorded, drawn;
+};
+
+/// What a written file shows from above.
+struct WrittenScene {
+  std::string file, format;           ///< "scene.x3d", "x3d"
+  std::vector<Footprint> footprints;  ///< in the order of the file
+  std::vector<WrittenCloud> clouds;   ///< none in formats that do not name them
+  /// Blobs so dense that their opacity is that of any denser one: of their optical depth only a lower bound
+  /// is written.
+  std::uint64_t saturated = 0;
+};
+
+/// Reads scene.splats.glb. A splat's opacity o stands for the optical depth -ln(1 - o) of its centre seen
+/// along its shortest axis; rays meet the exact integrals of the Gaussian. Throws InputError as readSplats
+/// does.
+WrittenScene readSplatScene(const std::filesystem::path& file);
+
+/// Reads the clouds of scene.x3d as a viewer high above the middle of the scene draws them, but near enough
+/// for the first level of every LOD: cards (pairs of triangles with an RGBA colour and a sprite texture)
+/// whose sprite falls off as a Gaussian of 1/2.2 of the half side and ends at the border, of optical depth
+/// -ln(1 - alpha); back faces are not drawn. A Billboard faces the viewer, its y axis to the north; the
+/// heights of its cards are those that a viewer beside the cloud sees. Shapes without sprites are no clouds.
+/// Throws InputError where the file is no XML, or is no such scene.
+WrittenScene readX3dScene(const std::filesystem::path& file, const base::Progress& progress);
+
+/// The same from bytes; `where` names them in messages.
+WrittenScene readX3dScene(std::string_view bytes, const std::string& where);
+
+}  // namespace cloudgen::check

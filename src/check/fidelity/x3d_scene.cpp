@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/quaternion.hpp>
+#include <map>
+
+#include "base/error.hpp"
+#include "check/fidelity/card_scene.hpp"
+#include "check/rules/numbers.hpp"
+#include "check/xsd/xml_parser.hpp"
+
+namespace cloudgen::check {
+namespace {
+
+using Attributes = std::span<const XmlAttribute>;
+
+constexpr int kMostDepth = 400;  ///< of the graph, USE followed
+
+std::string_view value(Attributes attributes, std::string_view name) {
+  for (const XmlAttribute& attribute : attributes)
+    if (attribute.name == name) return attribute.value;
+  return {};
+}
+
+std::vector<float> floatsOf(std::string_view text) {
+  std::vector<float> out;
+  forEachNumber<double>(text, [&](double number) { out.push_back(static_cast<float>(number)); });
+  return out;
+}
+
+glm::vec3 vectorOf(std::string_view text, const glm::vec3& otherwise) {
+  const auto numbers = floatsOf(text);
+  return numbers.size() == 3 ? glm::vec3(numbers[0], numbers[1], numbers[2]) : otherwise;
+}
+
+/// T C R S -C, as X3D says; scale goes along the axes.
+glm::mat4 matrixOf(Attributes attributes) {
+  const glm::vec3 shift = vectorOf(value(attributes, "translation"), glm::vec3(0)),
+                  scale = vectorOf(value(attributes, "scale"), glm::vec3(1)),
+                  center = vectorOf(value(attributes, "center"), glm::vec3(0));
+  const auto turn = floatsOf(value(attributes, "rotation"));
+  glm::mat3 linear(1);
+  if (turn.size() == 4) {
+    const glm::vec3 axis(turn[0], turn[1], turn[2]);
+    if (glm::length(axis) > 0) linear = glm::mat3_cast(glm::angleAxis(turn[3], glm::normalize(axis)));
+  }
+  for (int i = 0; i < 3; ++i) linear[i] *= scale[i];
+  glm::mat4 matrix(linear);
+  matrix[3] = glm::vec4(shift + center - linear * center, 1);
+  return matrix;
+}
+
+/// The strings of an MFString: "a" "b".
+std::vector<std::string> stringsOf(std::string_view text) {
+  std::vector<std::string> out;
+  for (std::size_t open = text.find('"'); open != text.npos;) {
+    const std::size_t close = text.find('"', open + 1);
+    if (close == text.npos) break;
+    out.emplace_back(text.substr(open + 1, close - open - 1));
+    open = text.find('"', close + 1);
+  }
+  return out;
+}
+
+/// textures/cumulus.png is drawn as cumulus.
+std::optional<base::Genus> genusOfSprites(std::string_view url) {
+  const auto urls = stringsOf(url);
+  if (urls.empty()) return std::nullopt;
+  return base::genusFromName(std::filesystem::path(urls.front()).stem().string());
+}
+
+class Reader {
+ public:
+  explicit Reader(std::string where) : where_(std::move(where)) {}
+
+  void start(std::string_view name, Attributes attributes) {
+    Element element{std::string(name), std::string(value(attributes, "DEF")), kNone};
+    const std::string use(value(attributes, "USE"));
+    if (const auto kind = kindOf(name, attributes)) {
+      element.node = use.empty() ? addNode(*kind, name, attributes) : find(use);
+      if (!use.empty()) element.name.clear();
+    } else if (name == "Appearance") {
+      look_ = use.empty() ? std::nullopt : known(looks_, use);
+    } else if (name == "ImageTexture") {
+      const auto genus = use.empty() ? genusOfSprites(value(attributes, "url")) : known(textures_, use);
+      if (!element.def.empty() && use.empty()) textures_[element.def] = genus;
+      look_ = genus;
+    } else if (name == "IndexedTriangleSet") {
+      indices_.clear();
+      forEachNumber<std::int64_t>(value(attributes, "index"),
+                                  [&](std::int64_t index) { indices_.push_back(index); });
+    } else if (name == "ColorRGBA") {
+      colors_ = floatsOf(value(attributes, "color"));
+    } else if (name == "Coordinate") {
+      points_ = floatsOf(value(attributes, "point"));
+    } else if (name == "MetadataString" && value(attributes, "name") == "id genus rule") {
+      record(stringsOf(value(attributes, "value")));
+    }
+    open_.push_back(std::move(element));
+  }
+
+  void end() {
+    const Element element = std::move(open_.back());
+    open_.pop_back();
+    if (element.name == "Appearance") {
+      if (!element.def.empty()) looks_[element.def] = look_;
+      shapeLook_ = look_;
+    }
+    if (element.node == kNone) return;
+    if (element.name == "Shape") closeShape(nodes_[element.node]);
+    // A name is known once its node is closed: no node can hold itself.
+    if (!element.name.empty() && !element.def.empty()) named_[element.def] = element.node;
+    for (auto parent = open_.rbegin(); parent != open_.rend(); ++parent) {
+      if (parent->node == kNone) continue;
+      adopt(nodes_[parent->node], element.node);
+      return;
+    }
+  }
+
+  const std::vector<CardNode>& nodes() const { return nodes_; }
+
+ private:
+  static constexpr std::uint32_t kNone = UINT32_MAX;
+  struct Element {
+    std::string name, def;
+    std::uint32_t node;
+  };
+
+  static std::optional<CardNodeKind> kindOf(std::string_view name, Attributes attributes) {
+    if (name == "Scene" || name == "Group") return CardNodeKind::Group;
+    if (name == "Transform") return CardNodeKind::Transform;
+    if (name == "LOD") return CardNodeKind::FirstLevel;
+    if (name == "Shape") return CardNodeKind::Shape;
+    if (name != "Billboard") return std::nullopt;
+    // One with an axis turns about that alone: from above it stays as it is.
+    const bool everyAxis = vectorOf(value(attributes, "axisOfRotation"), glm::vec3(0, 1, 0)) == glm::vec3(0);
+    return everyAxis ? CardNodeKind::Billboard : CardNodeKind::Group;
+  }
+
+  std::uint32_t addNode(CardNodeKind kind, std::string_view name, Attributes attributes) {
+    CardNode node;
+    node.kind = kind;
+    if (name == "Transform") node.matrix = matrixOf(attributes);
+    if (name == "Shape") {
+      indices_.clear(), colors_.clear(), points_.clear();
+      shapeLook_.reset();
+    }
+    nodes_.push_back(std::move(node));
+    return static_cast<std::uint32_t>(nodes_.size() - 1);
+  }
+
+  std::uint32_t find(const std::string& use) const {
+    const auto found = named_.find(use);
+    return found == named_.end() ? kNone : found->second;
+  }
+
+  static std::optional<base::Genus> known(const std::map<std::string, std::optional<base::Genus>>& names,
+                                          const std::string& name) {
+    const auto found = names.find(name);
+    return found == names.end() ? std::nullopt : found->second;
+  }
+
+  void record(const std::vector<std::string>& values) {
+    for (auto element = open_.rbegin(); element != open_.rend(); ++element) {
+      if (element->name != "Transform") continue;
+      CardNode& node = nodes_[element->node];
+      node.isCloud = true;
+      if (values.size() > 1) node.recorded = base::genusFromName(values[1]);
+      return;
+    }
+  }
+
+  void adopt(CardNode& parent, std::uint32_t child) {
+    parent.children.push_back(child);
+    parent.depth = std::max(parent.depth, nodes_[child].depth + 1);
+    if (parent.depth > kMostDepth)
+      throw base::InputError(where_, "nests its nodes too deeply", "is it a scene of cloudgen?");
+  }
+
+  /// Makes cards of the triangles of a Shape with sprites.
+  void closeShape(CardNode& shape) {
+    shape.drawn = shapeLook_;
+    if (!shape.drawn || indices_.empty()) return;
+    const auto fail = [&] {
+      throw base::InputError(where_, "has a cloud whose triangles are no cards of four corners",
+                             "name a scene.x3d that cloudgen wrote, or its folder");
+    };
+    const std::size_t cards = points_.size() / 12;
+    if (points_.size() % 12 != 0 || colors_.size() != 16 * cards || indices_.size() % 3 != 0) fail();
+    shape.cards.resize(cards);
+    for (std::size_t i = 0; i < cards; ++i) {
+      const auto corner = [&](std::size_t k) {
+        const float* p = points_.data() + 12 * i + 3 * k;
+        return glm::vec3(p[0], p[1], p[2]);
+      };
+      Card& card = shape.cards[i];
+      card.center = 0.5f * (corner(0) + corner(2));
+      card.right = 0.5f * (corner(1) - corner(0));
+      card.up = 0.5f * (corner(3) - corner(0));
+      card.alpha = std::clamp(colors_[16 * i + 3], 0.0f, 1.0f);
+    }
+    for (std::size_t t = 0; t < indices_.size(); t += 3) {
+      const std::int64_t a = indices_[t], b = indices_[t + 1], c = indices_[t + 2];
+      if (a < 0 || b < 0 || c < 0 || a / 4 != b / 4 || a / 4 != c / 4 ||
+          static_cast<std::size_t>(a / 4) >= cards)
+        fail();
+      // Going round the corners once is the front, three quarters at a time the back.
+      const auto turned = (b - a + 4) % 4 + (c - b + 4) % 4 + (a - c + 4) % 4;
+      Card& card = shape.cards[static_cast<std::size_t>(a / 4)];
+      (turned == 4 ? card.front : card.back) = true;
+    }
+  }
+
+  std::string where_;
+  std::vector<CardNode> nodes_;
+  std::vector<Element> open_;
+  std::map<std::string, std::uint32_t> named_;
+  std::map<std::string, std::optional<base::Genus>> looks_, textures_;
+  std::optional<base::Genus> look_, shapeLook_;
+  std::vector<std::int64_t> indices_;
+  std::vector<float> colors_, points_;
+};
+
+WrittenScene read(ByteSource& source, const std::string& where, const std::string& name,
+                  const base::Progress& progress) {
+  Reader reader(where);
+  ValidationResult result;
+  FindingList findings(where, result);
+  const XmlVisitor visitor{
+      [&](std::string_view element, Position, Attributes attributes) { reader.start(element, attributes); },
+      [&] { reader.end(); }};
+  parseXml(source, visitor, findings, progress);
+  if (!result.findings.empty())
+    throw base::InputError(where, result.findings.front().message, "see `cloudgen validate`");
+  WrittenScene scene{name, "x3d", {}, {}, 0};
+  flatten(reader.nodes(), where, scene);
+  return scene;
+}
+
+}  // namespace
+
+WrittenScene readX3dScene(const std::filesystem::path& file, const base::Progress& progress) {
+  ByteSource source(file);
+  return read(source, file.string(), file.filename().string(), progress);
+}
+
+WrittenScene readX3dScene(std::string_view bytes, const std::string& where) {
+  ByteSource source(bytes);
+  return read(source, where, where, {});
+}
+
+}  // namespace cloudgen::check

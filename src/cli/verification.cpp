@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/verification.hpp"
+
+#include "base/error.hpp"
+
+namespace cloudgen::cli {
+
+check::WrittenScene readWritten(const std::filesystem::path& folder, const std::string& format,
+                                const base::Progress& progress) {
+  const auto splats = folder / "scene.splats.glb", x3d = folder / "scene.x3d";
+  const bool hasSplats = std::filesystem::exists(splats), hasX3d = std::filesystem::exists(x3d);
+  progress.step("verify: read", 0);
+  if (format == "x3d" || (format == "auto" && !hasSplats && hasX3d))
+    return check::readX3dScene(x3d, progress);
+  if (format == "auto" && !hasSplats)
+    throw base::InputError(folder.string(), "has neither scene.splats.glb nor scene.x3d",
+                           "build it with --formats x3d or --formats splats");
+  check::WrittenScene scene = check::readSplatScene(splats);
+  if (format == "auto" && hasX3d) scene.clouds = check::readX3dScene(x3d, progress).clouds;
+  return scene;
+}
+
+}  // namespace cloudgen::cli

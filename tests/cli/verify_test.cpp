@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+// Written scenes compared with what they were made from, and scenes that somebody changed afterwards.
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "base/file.hpp"
+#include "cli/fits_schema.hpp"
+#include "cli/program.hpp"
+#include "support/scratch.hpp"
+
+namespace {
+
+using namespace cloudgen::test;
+using Words = std::vector<std::string>;
+using nlohmann::json;
+
+/// Stratocumulus under cirrostratus.
+constexpr const char* kSky =
+    R"({"cloudgen_sky": 1, "title": "a sky to verify", "valid_time": "2026-06-21T20:00:00Z",
+  "bbox": [-122.4, 36.6, -122.0, 36.9],
+  "layers": [{"genus": "Sc", "cover": 0.8, "base_m": 900, "top_m": 1400, "optical_depth": 3},
+             {"genus": "Cs", "cover": 0.6, "base_m": 9000, "top_m": 10000, "optical_depth": 1}]})";
+
+class Verify : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const Ran ran =
+        runCloudgen({"build", sky, "-o", scene, "--formats", "x3d,splats", "--max-puffs", "20000"});
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+  }
+  /// The result for one of the formats, checked against its schema and the exit code.
+  json verified(const std::string& format) const {
+    const Ran ran =
+        runCloudgen({"verify", scene, "--against", sky, "--format", format, "--json", "--no-maps"});
+    json result = json::parse(ran.out, nullptr, false);
+    if (result.is_discarded()) {
+      ADD_FAILURE() << ran.out << ran.err;
+      return result;
+    }
+    expectFitsSchema(result, "verify.schema.json");
+    EXPECT_EQ(ran.exitCode, result.at("passed").get<bool>() ? 0 : 4) << ran.err;
+    EXPECT_EQ(result.at("passed").get<bool>(), result.at("broken").empty());
+    return result;
+  }
+  void change(const std::string& name, const std::function<void(std::string&)>& edit) const {
+    std::string bytes = cloudgen::base::readFile(scene + "/" + name);
+    edit(bytes);
+    std::ofstream(scene + "/" + name, std::ios::binary) << bytes;
+  }
+  static bool breaks(const json& result, const std::string& measure) {
+    for (const json& broken : result.at("broken"))
+      if (broken.at("measure") == measure) return true;
+    return false;
+  }
+
+  Scratch folder;
+  std::string sky = folder.write("two.sky.json", kSky);
+  std::string scene = folder.path() / "scene";
+};
+
+void replaceAll(std::string& text, const std::string& from, const std::string& to) {
+  for (std::size_t at = text.find(from); at != text.npos; at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
+}
+
+/// Changes every float of the splats' opacities.
+void eachOpacity(std::string& glb, const std::function<float(std::size_t, float)>& change) {
+  std::uint32_t jsonBytes = 0;
+  std::memcpy(&jsonBytes, glb.data() + 12, 4);
+  const json root = json::parse(glb.substr(20, jsonBytes));
+  const std::size_t binary = 28 + jsonBytes;
+  for (const json& mesh : root.at("meshes")) {
+    const json& accessor = root.at("accessors")
+                               .at(mesh.at("primitives")
+                                       .at(0)
+                                       .at("attributes")
+                                       .at("KHR_gaussian_splatting:OPACITY")
+                                       .get<std::size_t>());
+    const json& view = root.at("bufferViews").at(accessor.at("bufferView").get<std::size_t>());
+    char* first = glb.data() + binary + view.value("byteOffset", 0u) + accessor.value("byteOffset", 0u);
+    for (std::size_t i = 0; i < accessor.at("count").get<std::size_t>(); ++i) {
+      float value = 0;
+      std::memcpy(&value, first + 4 * i, 4);
+      value = change(i, value);
+      std::memcpy(first + 4 * i, &value, 4);
+    }
+  }
+}
+
+TEST_F(Verify, ComparesEachFormatWithTheModel) {
+  for (const char* format : {"x3d", "splats"}) {
+    SCOPED_TRACE(format);
+    const json result = verified(format);
+    EXPECT_EQ(result.at("read").at("format"), format);
+    EXPECT_GT(result.at("read").at("blobs").get<int>(), 1000);
+    EXPECT_NEAR(result.at("optical_depth").at("bias_relative").get<double>(), 0, 0.5);
+    EXPECT_NEAR(result.at("cover").at("total").at("bias").get<double>(), 0, 0.35);
+    EXPECT_EQ(result.at("worst").at("cover").size(),
+              result.at("columns").get<std::size_t>() > 5 ? 5u : result.at("columns").get<std::size_t>());
+  }
+  EXPECT_EQ(verified("x3d").at("genus").at("agreement"), 1);
+  EXPECT_EQ(verified("auto").at("genus").at("agreement"), 1);
+  EXPECT_TRUE(verified("splats").at("genus").at("agreement").is_null());
+}
+
+TEST_F(Verify, TellsThatATenthIsMissing) {
+  const json before = verified("splats");
+  const double depth = before.at("optical_depth").at("scene_mean");
+  change("scene.splats.glb", [](std::string& glb) {
+    eachOpacity(glb, [](std::size_t i, float opacity) { return i % 10 == 3 ? 0 : opacity; });
+  });
+  EXPECT_NEAR(verified("splats").at("optical_depth").at("scene_mean").get<double>() / depth, 0.9, 0.02);
+}
+
+TEST_F(Verify, TellsDoubledOpticalDepth) {
+  const double depth = verified("splats").at("optical_depth").at("scene_mean");
+  change("scene.splats.glb", [](std::string& glb) {
+    eachOpacity(glb, [](std::size_t, float opacity) { return 1 - (1 - opacity) * (1 - opacity); });
+  });
+  const json doubled = verified("splats");
+  EXPECT_NEAR(doubled.at("optical_depth").at("scene_mean").get<double>() / depth, 2, 0.02);
+  EXPECT_TRUE(breaks(doubled, "optical_depth.bias_relative"));
+}
+
+TEST_F(Verify, TellsSwappedTypes) {
+  change("scene.x3d", [](std::string& text) {
+    replaceAll(text, "textures/stratocumulus.png", "textures/swapped");
+    replaceAll(text, "textures/cirrostratus.png", "textures/stratocumulus.png");
+    replaceAll(text, "textures/swapped", "textures/cirrostratus.png");
+  });
+  const json drawn = verified("x3d");
+  EXPECT_EQ(drawn.at("genus").at("agreement"), 0);
+  EXPECT_TRUE(breaks(drawn, "genus.agreement"));
+}
+
+TEST_F(Verify, TellsAFalseRecord) {
+  change("scene.x3d", [](std::string& text) { replaceAll(text, "\"Sc\"", "\"Cu\""); });
+  const json result = verified("x3d");
+  EXPECT_LT(result.at("genus").at("agreement").get<double>(), 1);
+  EXPECT_TRUE(breaks(result, "genus.agreement"));
+}
+
+TEST_F(Verify, DrawsMapsAndSpeaksToPeople) {
+  const Ran ran = runCloudgen({"verify", scene, "--against", sky, "-o", folder.path() / "maps"});
+  EXPECT_TRUE(ran.exitCode == 0 || ran.exitCode == 4) << ran.err;
+  EXPECT_NE(ran.out.find("optical depth"), std::string::npos) << ran.out;
+  EXPECT_LE(std::count(ran.out.begin(), ran.out.end(), '\n'), 20) << ran.out;
+  const auto names = namesIn(folder.path() / "maps");
+  EXPECT_EQ(names.size(), 7u);
+  for (const auto& [name, bytes] : contentOf(folder.path() / "maps"))
+    EXPECT_EQ(bytes.substr(1, 3), "PNG") << name;
+}
+
+TEST_F(Verify, MapsStandBesideTheScene) {
+  const auto before = namesIn(scene);
+  runCloudgen({"verify", scene, "--against", sky, "--no-maps"});
+  EXPECT_EQ(namesIn(scene), before);
+  runCloudgen({"verify", scene, "--against", sky, "-q"});
+  EXPECT_TRUE(std::filesystem::exists(scene + "/verify/cover.png"));
+}
+
+TEST_F(Verify, ABuildMayVerifyItself) {
+  const Ran ran = runCloudgen({"build", sky, "-o", folder.path() / "own", "--formats", "splats",
+                               "--max-puffs", "20000", "--verify", "--json"});
+  ASSERT_EQ(ran.exitCode, 0) << ran.err;
+  const json report = json::parse(ran.out);
+  expectFitsSchema(report, "report.schema.json");
+  expectFitsSchema(report.at("verify"), "verify.schema.json");
+  EXPECT_EQ(report.at("verify").at("cover"), verified("splats").at("cover"));
+}
+
+TEST_F(Verify, RefusesADamagedScene) {
+  change("scene.x3d", [](std::string& text) { text.resize(text.size() / 2); });
+  EXPECT_EQ(runCloudgen({"verify", scene, "--against", sky, "--format", "x3d"}).exitCode, 1);
+  change("scene.splats.glb", [](std::string& bytes) { bytes.resize(bytes.size() / 2); });
+  EXPECT_EQ(runCloudgen({"verify", scene, "--against", sky}).exitCode, 1);
+}
+
+}  // namespace

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+// A sky that shows its model passes; one that was tampered with is told, and by what is wrong with it.
+#include "check/fidelity/fidelity.hpp"
+
+#include <gtest/gtest.h>
+
+#include "base/error.hpp"
+#include "base/thread.hpp"
+#include "made_model.hpp"
+
+namespace cloudgen::check::test {
+namespace {
+
+bool breaks(const Fidelity& fidelity, const std::string& measure) {
+  for (const Breach& breach : fidelity.breaches)
+    if (breach.measure == measure) return true;
+  return false;
+}
+
+TEST(Fidelity, PassesASkyThatShowsItsModel) {
+  const Fidelity told = MadeSky().verified();
+  for (const Breach& breach : told.breaches) ADD_FAILURE() << breach.measure << " " << breach.value;
+  EXPECT_EQ(told.columns.size(), 24u);
+  EXPECT_NEAR(told.cover.bias, 0, 0.004);
+  EXPECT_LT(told.cover.rmse, 0.02);
+  EXPECT_NEAR(told.opticalDepth.biasRelative, 0, 0.01);
+  EXPECT_GT(told.opticalDepth.correlation.value(), 0.99);
+  EXPECT_LT(told.base.rmse, 60);
+  EXPECT_LT(told.top.rmse, 60);
+  EXPECT_EQ(told.genus.agreement().value(), 1);
+  EXPECT_EQ(told.genus.clouds, 24u * 228u);
+}
+
+TEST(Fidelity, TellsThatATenthOfTheCloudsIsMissing) {
+  MadeSky sky;
+  std::vector<Footprint> kept;
+  for (std::size_t i = 0; i < sky.scene.footprints.size(); ++i)
+    if (i % 10 != 3) kept.push_back(sky.scene.footprints[i]);
+  sky.scene.footprints = kept;
+  const Fidelity told = sky.verified();
+  EXPECT_TRUE(breaks(told, "cover.total.bias"));
+  EXPECT_TRUE(breaks(told, "optical_depth.bias_relative"));
+  EXPECT_NEAR(told.opticalDepth.biasRelative, -0.1, 0.01);
+  EXPECT_NEAR(told.cover.bias, -0.035, 0.005);
+}
+
+TEST(Fidelity, TellsThatTheCloudsWereMovedByHalfACell) {
+  MadeSky sky;
+  const auto half = static_cast<float>(0.5 * field::cellSidesMeters(sky.model.grid(), 8).x);
+  for (Footprint& footprint : sky.scene.footprints) footprint.place.x += half;
+  const Fidelity told = sky.verified();
+  EXPECT_TRUE(breaks(told, "cover.total.rmse"));
+  EXPECT_TRUE(breaks(told, "optical_depth.correlation"));
+}
+
+TEST(Fidelity, TellsThatTheOpticalDepthWasDoubled) {
+  MadeSky sky;
+  for (Footprint& footprint : sky.scene.footprints) footprint.opticalDepth *= 2;
+  const Fidelity told = sky.verified();
+  EXPECT_TRUE(breaks(told, "optical_depth.bias_relative"));
+  EXPECT_NEAR(told.opticalDepth.biasRelative, 1, 0.02);
+}
+
+TEST(Fidelity, TellsThatTypesWereSwapped) {
+  for (const bool records : {true, false}) {
+    MadeSky sky;
+    const auto swapped = [](base::Genus genus) {
+      return genus == base::Genus::Cumulus ? base::Genus::Cirrus : base::Genus::Cumulus;
+    };
+    for (WrittenCloud& cloud : sky.scene.clouds) {
+      auto& genus = records ? cloud.recorded : cloud.drawn;
+      genus = swapped(*genus);
+    }
+    const Fidelity told = sky.verified();
+    EXPECT_EQ(told.genus.agreement().value(), 0);
+    EXPECT_TRUE(breaks(told, "genus.agreement"));
+  }
+}
+
+TEST(Fidelity, TellsThatCloudsFloatTooHigh) {
+  MadeSky sky;
+  for (Footprint& footprint : sky.scene.footprints) footprint.height += 300;
+  const Fidelity told = sky.verified();
+  EXPECT_TRUE(breaks(told, "base_m.rmse"));
+  EXPECT_TRUE(breaks(told, "top_m.rmse"));
+  EXPECT_NEAR(told.base.bias, 300, 40);
+}
+
+TEST(Fidelity, TellsThatHighCloudsStandLow) {
+  MadeSky sky;
+  for (Footprint& footprint : sky.scene.footprints)
+    if (footprint.height > 5000) footprint.height -= 5500;
+  EXPECT_TRUE(breaks(sky.verified(), "cover.high.bias"));
+}
+
+TEST(Fidelity, AnEmptySceneIsWrongUnlessTheModelIsClear) {
+  MadeSky sky;
+  sky.scene.footprints.clear();
+  sky.scene.clouds.clear();
+  const Fidelity told = sky.verified();
+  EXPECT_TRUE(breaks(told, "cover.total.bias"));
+  EXPECT_EQ(told.opticalDepth.biasRelative, -1);
+  EXPECT_FALSE(told.genus.agreement().has_value());
+  sky.model.layers.clear();
+  EXPECT_TRUE(sky.verified().breaches.empty());
+}
+
+TEST(Fidelity, ABoxSmallerThanACellIsStillCompared) {
+  MadeSky sky;
+  const base::LocalFrame frame({11.05, 50.05, 11.2, 50.15});
+  const Fidelity told = compareWithModel({"made", "splats", {}, {}, 0}, frame, sky.model, nullptr, {}, {});
+  EXPECT_EQ(told.columns.size(), 1u);
+  EXPECT_TRUE(breaks(told, "cover.total.bias"));
+}
+
+TEST(Fidelity, RefusesAModelOfAnotherPlace) {
+  MadeSky sky;
+  const base::LocalFrame elsewhere({-60, 10, -50, 20});
+  EXPECT_THROW(compareWithModel(sky.scene, elsewhere, sky.model, nullptr, {}, {}), base::InputError);
+}
+
+TEST(Fidelity, NamesTheWorstColumn) {
+  MadeSky sky;
+  const auto gone = [&](const Footprint& footprint) {
+    const auto place = sky.frame.toGeographic({footprint.place.x, 0, footprint.place.y});
+    return place.x > 11 && place.x < 11.5 && place.y > 50 && place.y < 50.5;
+  };
+  std::erase_if(sky.scene.footprints, gone);
+  const Fidelity told = sky.verified();
+  ASSERT_FALSE(told.worst.front().columns.empty());
+  EXPECT_EQ(told.worst.front().measure, "cover");
+  EXPECT_NEAR(told.worst.front().columns.front().longitudeDegrees, 11.25, 1e-9);
+  EXPECT_NEAR(told.worst.front().columns.front().latitudeDegrees, 50.25, 1e-9);
+}
+
+TEST(Fidelity, OneThreadSaysWhatManySay) {
+  const MadeSky sky;
+  const Fidelity one = [&] {
+    const base::ThreadLimit limit(1);
+    return sky.verified();
+  }();
+  const Fidelity many = sky.verified();
+  EXPECT_EQ(one.cover.rmse, many.cover.rmse);
+  EXPECT_EQ(one.opticalDepth.sceneMean, many.opticalDepth.sceneMean);
+  EXPECT_EQ(one.base.rmse, many.base.rmse);
+}
+
+}  // namespace
+}  // namespace cloudgen::check::test

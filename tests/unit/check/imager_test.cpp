@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+// Blobs whose cover and optical depth are known by hand.
+#include "check/fidelity/imager.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/gtc/quaternion.hpp>
+#include <numbers>
+
+#include "check/fidelity/height_profile.hpp"
+
+namespace cloudgen::check {
+namespace {
+
+/// Rays on a lattice over a square of `side` metres about the origin.
+std::vector<glm::dvec2> raysOver(double side, int across = 200) {
+  std::vector<glm::dvec2> rays;
+  for (int row = 0; row < across; ++row)
+    for (int column = 0; column < across; ++column)
+      rays.emplace_back(((column + 0.5) / across - 0.5) * side, ((row + 0.5) / across - 0.5) * side);
+  return rays;
+}
+
+glm::mat3 stretched(const glm::quat& turn, const glm::vec3& sigma) {
+  glm::mat3 axes = glm::mat3_cast(turn);
+  for (int i = 0; i < 3; ++i) axes[i] *= sigma[i];
+  return axes;
+}
+
+SeenColumn look(const std::vector<Footprint>& footprints, double side, const ModelColumn& column = {}) {
+  return Imager(footprints).look(raysOver(side), column);
+}
+
+TEST(Imager, ABallCoversACircleAndHoldsItsIntegral) {
+  const double sigma = 100, depth = 5, side = 1000;
+  const auto seen = look({footprintOfBlob({0, 1000, 0}, glm::mat3(100), depth)}, side);
+  const double radius = sigma * std::sqrt(2 * std::log(depth / kCloudyOpticalDepth));
+  EXPECT_NEAR(seen.view.cover, std::numbers::pi * radius * radius / (side * side), 0.002);
+  EXPECT_NEAR(seen.view.opticalDepth, 2 * std::numbers::pi * sigma * sigma * depth / (side * side), 0.002);
+  // As it is blended: where the opacity at the centre times the Gaussian is that of the limit.
+  const double drawn =
+      sigma * std::sqrt(2 * std::log(-std::expm1(-depth) / -std::expm1(-kCloudyOpticalDepth)));
+  EXPECT_NEAR(seen.drawnCover, std::numbers::pi * drawn * drawn / (side * side), 0.002);
+  EXPECT_EQ(seen.view.coverIn[0], seen.view.cover);
+  EXPECT_EQ(seen.view.coverIn[1] + seen.view.coverIn[2], 0);
+}
+
+TEST(Imager, ATurnedBlobHoldsTheSameIntegral) {
+  // The integral over space does not change by turning: extinction (2 pi)^1.5 s1 s2 s3.
+  const glm::vec3 sigma(150, 40, 80);
+  const double frontal = 2, side = 1600;
+  const double whole = frontal / 40 * 2 * std::numbers::pi * 150 * 40 * 80 / (side * side);
+  for (const float angle : {0.0f, 0.4f, 1.1f, 1.5f}) {
+    const auto axes = stretched(glm::angleAxis(angle, glm::normalize(glm::vec3(1, 0.3f, 0.5f))), sigma);
+    EXPECT_NEAR(look({footprintOfBlob({30, 1000, -50}, axes, frontal)}, side).view.opticalDepth / whole, 1,
+                0.01)
+        << angle;
+  }
+}
+
+TEST(Imager, CloudsAboveEachOtherAddUpAndPartByHeight) {
+  const std::vector<Footprint> footprints{footprintOfBlob({0, 1000, 0}, glm::mat3(100), 3),
+                                          footprintOfBlob({0, 4000, 0}, glm::mat3(100), 1),
+                                          footprintOfBlob({350, 9000, 0}, glm::mat3(50), 1)};
+  const SeenColumn seen = look(footprints, 1000);
+  const double area = 1e6;
+  const auto circle = [&](double sigma, double depth) {
+    return std::numbers::pi * sigma * sigma * 2 * std::log(depth / kCloudyOpticalDepth) / area;
+  };
+  EXPECT_NEAR(seen.view.coverIn[0], circle(100, 3), 0.002);
+  EXPECT_NEAR(seen.view.coverIn[1], circle(100, 1), 0.002);
+  EXPECT_NEAR(seen.view.coverIn[2], circle(50, 1), 0.002);
+  EXPECT_NEAR(seen.view.opticalDepth, 2 * std::numbers::pi * (1e4 * 3 + 1e4 + 2500) / area, 0.002);
+}
+
+TEST(Imager, FindsBaseAndTop) {
+  ModelColumn column;
+  const SeenColumn seen = look({footprintOfBlob({0, 1500, 0}, glm::mat3(100), 8)}, 1000, column);
+  EXPECT_NEAR(seen.view.baseMeters.value(), 1500 - 164.5, 20);
+  EXPECT_NEAR(seen.view.topMeters.value(), 1500 + 164.5, 20);
+}
+
+TEST(Imager, ALeaningBlobIsHigherOnOneSide) {
+  const auto axes = stretched(glm::angleAxis(0.5f, glm::vec3(0, 0, 1)), {300, 30, 300});
+  const Footprint footprint = footprintOfBlob({0, 1000, 0}, axes, 1);
+  EXPECT_NEAR(footprint.heightSlope.x, std::tan(0.5), 0.02);
+  EXPECT_NEAR(footprint.heightSlope.y, 0, 1e-6);
+  EXPECT_LT(footprint.heightDeviation, 40);
+}
+
+TEST(Imager, ACardEndsAtItsBorder) {
+  const Footprint card = footprintOfCard({0, 500, 0}, {glm::vec3(100, 0, 0), glm::vec3(0, 0, -50)}, 2, 10);
+  const SeenColumn seen = look({card}, 1000);
+  EXPECT_NEAR(seen.view.cover, 400.0 * 200.0 / 1e6, 0.002);
+  EXPECT_FALSE(isSeen(footprintOfCard({0, 500, 0}, {glm::vec3(100, 0, 0), glm::vec3(0, 50, 0)}, 2, 10)));
+}
+
+TEST(Imager, NothingIsSeenOfNothing) {
+  const SeenColumn seen = look({}, 1000);
+  EXPECT_EQ(seen.view.cover, 0);
+  EXPECT_FALSE(seen.view.baseMeters.has_value());
+}
+
+TEST(HeightProfile, FindsSharesOfWhatLiesBetween) {
+  HeightProfile profile;
+  profile.addUniform(1000, 2000, 10);
+  profile.addUniform(5000, 6000, 1);
+  EXPECT_NEAR(profile.heightAt(0.5, -500, 22000).value(), 1550, 1);
+  EXPECT_NEAR(profile.heightAt(0.5, 3000, 22000).value(), 5500, 1);
+  EXPECT_NEAR(profile.heightAt(0.05, 0, 3000).value(), 1050, 1);
+  EXPECT_NEAR(profile.between(1500, 5500), 5.5, 1e-9);
+  EXPECT_FALSE(profile.heightAt(0.5, 7000, 8000).has_value());
+}
+
+}  // namespace
+}  // namespace cloudgen::check
