@@ -77,6 +77,21 @@ TEST(Fidelity, TellsThatTypesWereSwapped) {
   }
 }
 
+TEST(Fidelity, LayersOfOneBaseAreNotToldApart) {
+  MadeSky sky;
+  const auto stated = sky.model.layers;
+  for (field::StatedLayer layer : stated) {
+    layer.genus = base::Genus::Stratocumulus;
+    layer.opticalDepth = layer.coverFraction = 0;
+    sky.model.layers.push_back(layer);
+  }
+  for (std::size_t i = 0; i < sky.scene.clouds.size(); i += 2)
+    sky.scene.clouds[i].recorded = sky.scene.clouds[i].drawn = base::Genus::Stratocumulus;
+  EXPECT_EQ(sky.verified().genus.agreement().value(), 1);
+  sky.model.layers[5].genus.reset();
+  EXPECT_EQ(sky.verified().genus.clouds, 23u * 228u);
+}
+
 TEST(Fidelity, TellsThatCloudsFloatTooHigh) {
   MadeSky sky;
   for (Footprint& footprint : sky.scene.footprints) footprint.height += 300;
