@@ -92,6 +92,17 @@ TEST(Fidelity, LayersOfOneBaseAreNotToldApart) {
   EXPECT_EQ(sky.verified().genus.clouds, 23u * 228u);
 }
 
+TEST(Fidelity, ATypingIsAskedForTypesBeforeTheModel) {
+  const MadeSky sky;
+  MadeModel typing;
+  typing.layers = sky.model.layers;
+  EXPECT_EQ(compareWithModel(sky.scene, sky.frame, sky.model, &typing, {}, {}).genus.agreement().value(), 1);
+  for (field::StatedLayer& layer : typing.layers) layer.genus = base::Genus::Altostratus;
+  const Fidelity told = compareWithModel(sky.scene, sky.frame, sky.model, &typing, {}, {});
+  EXPECT_EQ(told.genus.agreement().value(), 0);
+  EXPECT_TRUE(breaks(told, "genus.agreement"));
+}
+
 TEST(Fidelity, TellsThatCloudsFloatTooHigh) {
   MadeSky sky;
   for (Footprint& footprint : sky.scene.footprints) footprint.height += 300;
