@@ -4,8 +4,21 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 namespace cloudgen::check {
+namespace {
+
+/// Layers whose bases differ by less are not told apart by the foot of a cloud, metres.
+constexpr double kSameBase = 50;
+
+/// What is said of it and what is drawn is that genus, and at least one is known.
+bool isOf(const WrittenCloud& cloud, const std::optional<base::Genus>& genus) {
+  return (cloud.recorded || cloud.drawn) && (!cloud.recorded || cloud.recorded == genus) &&
+         (!cloud.drawn || cloud.drawn == genus);
+}
+
+}  // namespace
 
 GenusScore genusScore(std::span<const WrittenCloud> clouds, const base::LocalFrame& frame,
                       const field::Source& stating) {
@@ -20,16 +33,19 @@ GenusScore genusScore(std::span<const WrittenCloud> clouds, const base::LocalFra
     const auto here = cell ? stated.find(*cell) : stated.end();
     if (here == stated.end()) continue;
     const auto distance = [&](const field::StatedLayer& layer) {
-      return std::abs(layer.baseMeters - cloud.foot.y);
+      return static_cast<double>(std::abs(layer.baseMeters - cloud.foot.y));
     };
-    const auto nearest =
-        std::min_element(here->second.begin(), here->second.end(),
-                         [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
-    if (!nearest->genus) continue;
+    double nearest = distance(here->second.front());
+    for (const field::StatedLayer& layer : here->second) nearest = std::min(nearest, distance(layer));
+    bool untyped = false, agrees = false;
+    for (const field::StatedLayer& layer : here->second) {
+      if (distance(layer) > nearest + kSameBase) continue;
+      untyped = untyped || !layer.genus;
+      agrees = agrees || isOf(cloud, layer.genus);
+    }
+    if (untyped) continue;
     ++score.clouds;
-    const bool recorded = !cloud.recorded || *cloud.recorded == *nearest->genus,
-               drawn = !cloud.drawn || *cloud.drawn == *nearest->genus;
-    if (recorded && drawn && (cloud.recorded || cloud.drawn)) ++score.agreeing;
+    if (agrees) ++score.agreeing;
   }
   return score;
 }

@@ -22,7 +22,7 @@ struct Ray {
 /// Share of a normal distribution that lies below a height.
 double shareBelow(double height, double mean, double deviation) {
   const double distance = height - mean;
-  if (std::abs(distance) >= 4 * deviation) return distance > 0 ? 1 : 0;
+  if (std::abs(distance) >= 3 * deviation) return distance > 0 ? 1 : 0;
   return 0.5 * std::erfc(-distance / (deviation * std::numbers::sqrt2));
 }
 
@@ -33,6 +33,8 @@ Imager::Imager(std::span<const Footprint> footprints) : footprints_(footprints) 
     start_.assign(2, 0);
     return;
   }
+  opacities_.reserve(footprints.size());
+  for (const Footprint& footprint : footprints) opacities_.push_back(-std::expm1(-footprint.opticalDepth));
   glm::dvec2 lower(1e30), upper(-1e30);
   double sides = 0;
   for (const Footprint& footprint : footprints) {
@@ -101,7 +103,7 @@ SeenColumn Imager::look(std::span<const glm::dvec2> rays, const ModelColumn& col
       const double height = blob.height + static_cast<double>(blob.heightSlope.x) * off.x +
                             static_cast<double>(blob.heightSlope.y) * off.y;
       ray.opticalDepth += depth;
-      ray.transmission *= 1 + std::expm1(-static_cast<double>(blob.opticalDepth)) * fall;
+      ray.transmission *= 1 - opacities_[members_[m]] * fall;
       for (std::size_t border = 0; border < 2; ++border)
         ray.below[border] += depth * shareBelow(column.borders[border], height, blob.heightDeviation);
       profile.addGaussian(height, blob.heightDeviation, depth);

@@ -37,6 +37,7 @@ class Imager {
   BinRange binsOf(const Footprint& footprint) const;
 
   std::span<const Footprint> footprints_;
+  std::vector<float> opacities_;  ///< of their centres
   glm::dvec2 lower_{0};
   double binMeters_ = 1;
   int columns_ = 1, rows_ = 1;

@@ -77,6 +77,32 @@ TEST(Fidelity, TellsThatTypesWereSwapped) {
   }
 }
 
+TEST(Fidelity, LayersOfOneBaseAreNotToldApart) {
+  MadeSky sky;
+  const auto stated = sky.model.layers;
+  for (field::StatedLayer layer : stated) {
+    layer.genus = base::Genus::Stratocumulus;
+    layer.opticalDepth = layer.coverFraction = 0;
+    sky.model.layers.push_back(layer);
+  }
+  for (std::size_t i = 0; i < sky.scene.clouds.size(); i += 2)
+    sky.scene.clouds[i].recorded = sky.scene.clouds[i].drawn = base::Genus::Stratocumulus;
+  EXPECT_EQ(sky.verified().genus.agreement().value(), 1);
+  sky.model.layers[5].genus.reset();
+  EXPECT_EQ(sky.verified().genus.clouds, 23u * 228u);
+}
+
+TEST(Fidelity, ATypingIsAskedForTypesBeforeTheModel) {
+  const MadeSky sky;
+  MadeModel typing;
+  typing.layers = sky.model.layers;
+  EXPECT_EQ(compareWithModel(sky.scene, sky.frame, sky.model, &typing, {}, {}).genus.agreement().value(), 1);
+  for (field::StatedLayer& layer : typing.layers) layer.genus = base::Genus::Altostratus;
+  const Fidelity told = compareWithModel(sky.scene, sky.frame, sky.model, &typing, {}, {});
+  EXPECT_EQ(told.genus.agreement().value(), 0);
+  EXPECT_TRUE(breaks(told, "genus.agreement"));
+}
+
 TEST(Fidelity, TellsThatCloudsFloatTooHigh) {
   MadeSky sky;
   for (Footprint& footprint : sky.scene.footprints) footprint.height += 300;
