@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "shape/generate.hpp"
 
@@ -59,17 +60,49 @@ double meanWidthMeters(const Generalisation& general, const shape::Recipe& recip
   return std::min(natural * general.enlargement, std::max(natural, general.widestMeters));
 }
 
+namespace {
+
+/// Blocks of about five clouds across and more, in powers of 2.
+std::array<int, base::kGenusCount> blockCellsOf(const field::Grid& grid, std::span<const field::Layer> layers,
+                                                std::span<const double> areas, const Options& options,
+                                                const Generalisation& general) {
+  constexpr double kCloudsAcross = 5;
+  constexpr int kMostCells = 4096;
+  std::array<double, base::kGenusCount> weight{}, spacing{}, side{};
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    const auto genus = static_cast<std::size_t>(layers[i].genus);
+    const shape::Recipe& recipe = options.recipes.of(layers[i].genus);
+    const double width = meanWidthMeters(general, recipe, layers[i].depthMeters());
+    weight[genus] += areas[i];
+    spacing[genus] += areas[i] * std::sqrt(coveredSquareMeters(recipe, width));
+    side[genus] += areas[i] * field::cellSidesMeters(grid, layers[i].cell).y;
+  }
+  std::array<int, base::kGenusCount> cells;
+  cells.fill(1);
+  for (std::size_t genus = 0; genus < cells.size(); ++genus)
+    while (weight[genus] > 0 && cells[genus] < std::min(kMostCells, grid.rows) &&
+           cells[genus] * side[genus] < kCloudsAcross * spacing[genus])
+      cells[genus] *= 2;
+  return cells;
+}
+
+}  // namespace
+
 Generalisation generalise(const field::Grid& grid, std::span<const field::Layer> layers,
                           const Options& options, const base::GeoBox& box) {
   Generalisation out;
   std::vector<double> areas;
-  double cellArea = 0;
+  double cellArea = 0, boxArea = 0;
+  std::optional<std::uint32_t> last;
   for (const field::Layer& layer : layers) {
     const double area = field::cellAreaSquareMeters(grid, layer.cell);
-    areas.push_back(layer.fraction * field::shareInside(grid, layer.cell, box) * area);
+    const double inside = field::shareInside(grid, layer.cell, box) * area;
+    areas.push_back(layer.fraction * inside);
+    if (last != layer.cell) boxArea += inside;
+    last = layer.cell;
     cellArea = std::max(cellArea, area);
   }
-  out.widestMeters = 0.5 * std::sqrt(cellArea);
+  out.widestMeters = std::max(0.5 * std::sqrt(cellArea), 0.25 * std::sqrt(boxArea));
   const auto coarsestPuffs = [&](double enlargement) {
     out.enlargement = enlargement;
     double puffs = 0;
@@ -103,6 +136,8 @@ Generalisation generalise(const field::Grid& grid, std::span<const field::Layer>
   for (const base::Genus genus : base::allGenera())
     out.puffsPerCloud[static_cast<size_t>(genus)] =
         static_cast<int>(fewestPuffs(options.recipes.of(genus)) * richness);
+  out.enlargement = enough;
+  out.blockCells = blockCellsOf(grid, layers, areas, options, out);
   return out;
 }
 

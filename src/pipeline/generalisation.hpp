@@ -14,8 +14,11 @@ namespace cloudgen::pipeline {
 /// cover and water.
 struct Generalisation {
   double enlargement = 1;     ///< widths times this, >= 1, as far as widestMeters lets them
-  double widestMeters = 1e9;  ///< enlarged clouds stay within half a model cell
+  double widestMeters = 1e9;  ///< enlarged clouds stay within a quarter of the box, or half a model cell
   std::array<int, base::kGenusCount> puffsPerCloud;  ///< one level of detail a genus
+  /// Rows of cells in which the clouds of a genus are placed together (Block): 1 where cells are much wider
+  /// than clouds, else a power of 2.
+  std::array<int, base::kGenusCount> blockCells;
 };
 
 /// Puffs that a genus needs to be told: at the coarsest level, sections times billboards.

@@ -12,7 +12,6 @@
 #include "pipeline/origin.hpp"
 #include "pipeline/production.hpp"
 #include "pipeline/quantity.hpp"
-#include "pipeline/size.hpp"
 #include "pipeline/type.hpp"
 
 namespace cloudgen::pipeline {
@@ -87,8 +86,6 @@ Outcome run(const field::Source& source, const Options& options, const base::Pro
   outcome.enlargement = general.enlargement;
   placeClouds(grid, options, general, box, table);
 
-  progress.step("size", 0.35);
-  sizeClouds(options, general, table);
   standOnTerrain(origin.ground, origin.frame, table);
 
   progress.step("production", 0.4);

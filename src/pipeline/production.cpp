@@ -1,81 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pipeline/production.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 #include <map>
 #include <numbers>
-#include <tuple>
 
 #include "base/thread.hpp"
 #include "light/extinction_grid.hpp"
 #include "light/shade.hpp"
+#include "pipeline/archetype.hpp"
 #include "shape/generate.hpp"
 #include "shape/reduce.hpp"
 
 namespace cloudgen::pipeline {
 namespace {
 
-constexpr int kVariants = 4, kFarPuffs = 6;
-constexpr double kAspectStep = 1.4142135623730951, kOpticalDepthStep = 2.0;
-
-/// What an archetype is shared by. Classes are rounded logarithms.
-struct ArchetypeKey {
-  base::Genus genus{};
-  int aspectClass = 0, opticalDepthClass = 0, shearClass = 0, variant = 0;
-  auto operator<=>(const ArchetypeKey&) const = default;
-};
-
-int classOf(double value, double step) {
-  return static_cast<int>(std::lround(std::log(value) / std::log(step)));
-}
-
-std::uint64_t cloudItem(const field::Layer& layer, const field::Cloud& cloud) {
-  return (static_cast<std::uint64_t>(layer.ordinal) << 40) | cloud.ordinal;
-}
-
-/// 0 calm, 1 sheared, 2 strongly sheared: the lean of the top over the depth is a quarter of the class.
-int shearClassOf(const field::Layer& layer) {
-  const double shear = std::hypot(layer.shearEast, layer.shearNorth);
-  return shear < 6 ? 0 : (shear < 18 ? 1 : 2);
-}
-
-ArchetypeKey keyOf(const field::Layer& layer, const field::Cloud& cloud, const Options& options) {
-  base::RandomStream stream(options.seed, layer.cell, base::Purpose::CloudVariant, cloudItem(layer, cloud));
-  ArchetypeKey key;
-  key.genus = layer.genus;
-  key.aspectClass = classOf(cloud.depthMeters / cloud.widthMeters, kAspectStep);
-  key.opticalDepthClass = classOf(std::max(0.05f, cloud.opticalDepth), kOpticalDepthStep);
-  const shape::Form form = options.recipes.of(layer.genus).form;
-  key.shearClass = form == shape::Form::Heap || form == shape::Form::Tower ? shearClassOf(layer) : 0;
-  key.variant = stream.index(kVariants);
-  return key;
-}
+constexpr int kFarPuffs = 6;
 
 scene::Archetype makeArchetype(const ArchetypeKey& key, const Options& options,
                                const Generalisation& general) {
-  const shape::Recipe& recipe = options.recipes.of(key.genus);
-  const double aspect = std::pow(kAspectStep, key.aspectClass);
-  shape::ShapeRequest request;
-  request.depthMeters =
-      std::sqrt(static_cast<double>(recipe.thicknessMeters.low) * recipe.thicknessMeters.high);
-  request.widthMeters = request.depthMeters / aspect;
-  request.opticalDepth = std::pow(kOpticalDepthStep, key.opticalDepthClass);
-  request.tilt = 0.25 * key.shearClass;
-  request.puffs = general.puffsPerCloud[static_cast<size_t>(key.genus)];
-  request.seed = options.seed;
-  request.variant = (static_cast<std::uint64_t>(key.genus) << 32) | static_cast<std::uint64_t>(key.variant);
-  shape::CloudShape cloud = shape::generate(recipe, request);
+  const shape::ShapeRequest request = requestOf(key, options, general);
+  shape::CloudShape cloud = shape::generate(options.recipes.of(key.genus), request);
 
   scene::Archetype archetype;
-  const auto text = [](int value) {
-    return value < 0 ? fmt::format("m{}", -value) : fmt::format("{}", value);
-  };
-  archetype.name = fmt::format("{}_a{}_t{}_s{}_v{}", base::abbreviation(key.genus), text(key.aspectClass),
-                               text(key.opticalDepthClass), key.shearClass, key.variant);
+  archetype.name = nameOf(key);
   archetype.genus = key.genus;
   archetype.puffs = std::move(cloud.puffs);
   archetype.sectionStart = std::move(cloud.sectionStart);
@@ -128,8 +78,7 @@ int yawStepOf(const field::Layer& layer, const field::Cloud& cloud, const Option
     const double steps = std::atan2(-z, x) / (2.0 * std::numbers::pi) * scene::kYawSteps;
     return (static_cast<int>(std::lround(steps)) + scene::kYawSteps) % scene::kYawSteps;
   }
-  base::RandomStream stream(options.seed, layer.cell, base::Purpose::CloudYaw, cloudItem(layer, cloud));
-  return 4 * stream.index(4);
+  return 4 * quarterTurnOf(layer, cloud.ordinal, options);
 }
 
 std::uint64_t cloudId(const field::Layer& layer, const field::Cloud& cloud) {
@@ -183,15 +132,21 @@ scene::Scene produce(const field::CloudTable& table, const Origin& origin, const
   });
   progress.step("production: light", 1);
 
+  // What falls out of a cloud is a part of its optical depth.
+  std::vector<double> waterOf;
+  for (const scene::Archetype& archetype : scene.archetypes) {
+    double water = 0;
+    for (const shape::Puff& puff : archetype.puffs) water += shape::extinctionArea(puff);
+    waterOf.push_back(water);
+  }
   for (size_t i = 0; i < scene.instances.size(); ++i) {
     scene::Instance& instance = scene.instances[i];
     const field::Cloud& cloud = table.clouds[i];
     const scene::Archetype& archetype = scene.archetypes[scene.lit[instance.lit].archetype];
     instance.scale = cloud.depthMeters / archetype.depthMeters;
-    const double footprint = shape::footprintSquareMeters(archetype.widthMeters * instance.scale);
-    instance.opticalDepthFactor =
-        static_cast<float>(cloud.opticalDepth / archetype.opticalDepth *
-                           shape::footprintSquareMeters(cloud.widthMeters) / footprint);
+    instance.opticalDepthFactor = static_cast<float>(
+        cloud.opticalDepth * shape::footprintSquareMeters(cloud.widthMeters) /
+        (waterOf[scene.lit[instance.lit].archetype] * instance.scale * instance.scale));
   }
   return scene;
 }

@@ -4,7 +4,6 @@
 #include "pipeline/generalisation.hpp"
 #include "pipeline/location.hpp"
 #include "pipeline/quantity.hpp"
-#include "pipeline/size.hpp"
 #include "support/made_source.hpp"
 
 namespace cloudgen::test {
@@ -36,7 +35,6 @@ struct MadeTable {
  private:
   void finish(const MadeSource& source, const pipeline::Options& options, const base::GeoBox& box) {
     pipeline::placeClouds(source.grid(), options, general, box, table);
-    pipeline::sizeClouds(options, general, table);
   }
 };
 

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline/footprint.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/quaternion.hpp>
+#include <numbers>
+
+namespace cloudgen::pipeline {
+namespace {
+
+/// A puff seen from above: a Gaussian in the plane.
+struct Shadow {
+  double x = 0, z = 0, xx = 0, xz = 0, zz = 0, peak = 0;
+};
+
+Shadow shadowOf(const shape::Puff& puff, double widthMeters, double share) {
+  const glm::mat3 axes = glm::mat3_cast(puff.rotation);
+  Shadow shadow;
+  shadow.x = puff.center.x / widthMeters, shadow.z = puff.center.z / widthMeters;
+  for (int k = 0; k < 3; ++k) {
+    const double x = puff.sigma[k] * axes[k].x / widthMeters, z = puff.sigma[k] * axes[k].z / widthMeters;
+    shadow.xx += x * x, shadow.xz += x * z, shadow.zz += z * z;
+  }
+  shadow.peak = share;
+  return shadow;
+}
+
+}  // namespace
+
+Footprint::Footprint(std::span<const shape::Puff> puffs, double widthMeters)
+    : values_(static_cast<std::size_t>(kPixels * kPixels), 0.0f) {
+  const shape::Bounds bounds = shape::boundsOf(puffs, 3);
+  lower_ = glm::dvec2(bounds.lower.x, bounds.lower.z) / widthMeters;
+  upper_ = glm::dvec2(bounds.upper.x, bounds.upper.z) / widthMeters;
+  reach_ = std::hypot(std::max(-lower_.x, upper_.x), std::max(-lower_.y, upper_.y));
+  double total = 0;
+  for (const shape::Puff& puff : puffs) total += shape::extinctionArea(puff);
+  const glm::dvec2 pixel = (upper_ - lower_) / static_cast<double>(kPixels);
+  for (const shape::Puff& puff : puffs) {
+    Shadow shadow = shadowOf(puff, widthMeters, shape::extinctionArea(puff) / total);
+    shadow.xx += pixel.x * pixel.x / 12, shadow.zz += pixel.y * pixel.y / 12;  // the mean over a pixel
+    const double determinant = shadow.xx * shadow.zz - shadow.xz * shadow.xz;
+    const double peak = shadow.peak / (2 * std::numbers::pi * std::sqrt(determinant));
+    const double acrossX = 3 * std::sqrt(shadow.xx), acrossZ = 3 * std::sqrt(shadow.zz);
+    const auto pixelOf = [&](double from, double size) {
+      return std::clamp(static_cast<int>(from / size), 0, kPixels - 1);
+    };
+    for (int row = pixelOf(shadow.z - acrossZ - lower_.y, pixel.y);
+         row <= pixelOf(shadow.z + acrossZ - lower_.y, pixel.y); ++row)
+      for (int column = pixelOf(shadow.x - acrossX - lower_.x, pixel.x);
+           column <= pixelOf(shadow.x + acrossX - lower_.x, pixel.x); ++column) {
+        const double dx = lower_.x + (column + 0.5) * pixel.x - shadow.x,
+                     dz = lower_.y + (row + 0.5) * pixel.y - shadow.z;
+        const double q =
+            (shadow.zz * dx * dx - 2 * shadow.xz * dx * dz + shadow.xx * dz * dz) / determinant;
+        values_[static_cast<std::size_t>(row * kPixels + column)] +=
+            static_cast<float>(peak * std::exp(-0.5 * q));
+      }
+  }
+}
+
+float Footprint::at(double x, double z) const {
+  const double column = (x - lower_.x) / (upper_.x - lower_.x) * kPixels - 0.5,
+               row = (z - lower_.y) / (upper_.y - lower_.y) * kPixels - 0.5;
+  const double left = std::floor(column), top = std::floor(row);
+  if (!(left >= 0 && top >= 0 && left < kPixels - 1 && top < kPixels - 1)) return 0;
+  const auto here = static_cast<std::size_t>(top) * kPixels + static_cast<std::size_t>(left);
+  const auto a = static_cast<float>(column - left), b = static_cast<float>(row - top);
+  return (1 - b) * ((1 - a) * values_[here] + a * values_[here + 1]) +
+         b * ((1 - a) * values_[here + kPixels] + a * values_[here + kPixels + 1]);
+}
+
+const Footprint& FootprintBook::of(const ArchetypeKey& key) {
+  Entry* entry = nullptr;
+  {
+    const std::lock_guard lock(mutex_);
+    entry = &entries_[key];
+  }
+  std::call_once(entry->once, [&] {
+    const shape::ShapeRequest request = requestOf(key, options_, general_);
+    entry->footprint = std::make_unique<Footprint>(
+        shape::generate(options_.recipes.of(key.genus), request).puffs, request.widthMeters);
+  });
+  return *entry->footprint;
+}
+
+}  // namespace cloudgen::pipeline

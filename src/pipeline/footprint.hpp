@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <vector>
+
+#include "pipeline/archetype.hpp"
+
+namespace cloudgen::pipeline {
+
+/// A cloud seen from straight above: its vertical optical depth on a square raster, as a share of what the
+/// same extinction would give spread over the square of its width. Lengths are in widths, from its origin.
+class Footprint {
+ public:
+  static constexpr int kPixels = 40;
+  Footprint(std::span<const shape::Puff> puffs, double widthMeters);
+  /// Between pixels linear; 0 beyond the puffs' reach.
+  float at(double x, double z) const;
+  /// How far it reaches from its origin.
+  double reach() const { return reach_; }
+
+ private:
+  glm::dvec2 lower_{0}, upper_{0};
+  double reach_ = 0;
+  std::vector<float> values_;
+};
+
+/// Footprints of a build, each measured when it is first asked for. Any thread may ask.
+class FootprintBook {
+ public:
+  FootprintBook(const Options& options, const Generalisation& general)
+      : options_(options), general_(general) {}
+  const Footprint& of(const ArchetypeKey& key);
+
+ private:
+  struct Entry {
+    std::once_flag once;
+    std::unique_ptr<Footprint> footprint;
+  };
+  const Options& options_;
+  const Generalisation& general_;
+  std::mutex mutex_;
+  std::map<ArchetypeKey, Entry> entries_;
+};
+
+}  // namespace cloudgen::pipeline

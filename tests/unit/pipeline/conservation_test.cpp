@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+#include <iostream>
+
+#include "input/catalogue.hpp"
+#include "pipeline/pipeline.hpp"
+#include "support/made_source.hpp"
+#include "support/painted_sky.hpp"
+
+namespace cloudgen::pipeline {
+namespace {
+
+/// The drawn sky against the layers, over the cells of the grid that lie well inside of the box.
+struct Difference {
+  double coverBias = 0, coverRmse = 0, opticalDepthBias = 0;  ///< the last relative
+  double cells = 0, clouds = 0, puffs = 0;
+};
+
+std::ostream& operator<<(std::ostream& out, const Difference& d) {
+  return out << "cover bias " << d.coverBias << " rmse " << d.coverRmse << ", optical depth bias "
+             << d.opticalDepthBias << ", cells " << d.cells << ", clouds " << d.clouds << ", puffs " << d.puffs;
+}
+
+/// `inner`: rings of cells at the border that are left out, because clouds beyond it are missing there.
+Difference differenceOf(const test::MadeSource& source, const Options& options, int inner = 1) {
+  const Outcome outcome = run(source, options, {});
+  const field::Grid& grid = source.grid();
+  const double pixel = field::cellSidesMeters(grid, 0).y / 48;
+  std::map<std::uint32_t, const field::StatedLayer*> layers;
+  for (const field::StatedLayer& layer : source.layers) layers[layer.cell] = &layer;
+  const auto seen = test::PaintedSky(outcome.scene, pixel).byCell(outcome.scene, grid);
+  Difference d;
+  double water = 0, wanted = 0;
+  for (const auto& [cell, sky] : seen) {
+    const int column = grid.column(cell), row = grid.row(cell);
+    if (column < inner || row < inner || column >= grid.columns - inner || row >= grid.rows - inner) continue;
+    const double error = sky.cover() - layers.at(cell)->coverFraction;
+    d.coverBias += error, d.coverRmse += error * error, d.cells += 1;
+    water += sky.meanOpticalDepth(), wanted += layers.at(cell)->coverFraction * layers.at(cell)->opticalDepth;
+  }
+  d.coverBias /= d.cells, d.coverRmse = std::sqrt(d.coverRmse / d.cells);
+  d.opticalDepthBias = water / wanted - 1;
+  d.clouds = static_cast<double>(outcome.scene.instances.size());
+  d.puffs = static_cast<double>(scene::drawnPuffs(outcome.scene));
+  return d;
+}
+
+field::StatedLayer layerOf(base::Genus genus, float cover) {
+  static const Options kOptions = test::usualOptions();
+  const shape::Recipe& recipe = kOptions.recipes.of(genus);
+  const float depth = std::sqrt(recipe.thicknessMeters.low * recipe.thicknessMeters.high);
+  return {.genus = genus,
+          .coverFraction = cover,
+          .baseMeters = 1000,
+          .topMeters = 1000 + depth,
+          .opticalDepth = recipe.opticalDepth,
+          .windEast = 8,
+          .windNorth = 3};
+}
+
+TEST(Conservation, Measure) {
+  for (const double step : {2.5, 0.25})
+    for (const base::Genus genus : base::allGenera())
+      for (const float cover : {0.1f, 0.5f, 0.9f, 1.0f}) {
+        test::MadeSource source(10, 44, step, 6, 6);
+        source.cover(layerOf(genus, cover));
+        std::cout << "MEASURE " << step << ' ' << base::abbreviation(genus) << ' ' << cover << ": "
+                  << differenceOf(source, test::usualOptions(step == 2.5 ? 400'000 : 200'000)) << std::endl;
+      }
+}
+
+}  // namespace
+}  // namespace cloudgen::pipeline
