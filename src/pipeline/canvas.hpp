@@ -18,8 +18,8 @@ struct PaintedCloud {
   const Footprint* footprint = nullptr;
 };
 
-/// Optical depth seen from above over a rectangle that wraps around: what leaves at one side is what the
-/// neighbour, which is taken to be alike, sends in at the other.
+/// Optical depth seen from above over a rectangle whose borders are mirrors: what leaves is what the
+/// neighbour, whose clouds go on as they are here, sends in.
 class Canvas {
  public:
   Canvas(const glm::dvec2& sizeMeters, double pixelMeters);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <glm/gtc/quaternion.hpp>
 #include <numbers>
 
@@ -28,15 +29,21 @@ Shadow shadowOf(const shape::Puff& puff, double widthMeters, double share) {
 
 }  // namespace
 
-Footprint::Footprint(std::span<const shape::Puff> puffs, double widthMeters)
-    : values_(static_cast<std::size_t>(kPixels * kPixels), 0.0f) {
+Footprint::Footprint(std::span<const shape::Puff> puffs, double widthMeters) {
   const shape::Bounds bounds = shape::boundsOf(puffs, 3);
   lower_ = glm::dvec2(bounds.lower.x, bounds.lower.z) / widthMeters;
   upper_ = glm::dvec2(bounds.upper.x, bounds.upper.z) / widthMeters;
   reach_ = std::hypot(std::max(-lower_.x, upper_.x), std::max(-lower_.y, upper_.y));
-  double total = 0;
-  for (const shape::Puff& puff : puffs) total += shape::extinctionArea(puff);
-  const glm::dvec2 pixel = (upper_ - lower_) / static_cast<double>(kPixels);
+  double total = 0, smallest = 0;
+  for (const shape::Puff& puff : puffs) {
+    total += shape::extinctionArea(puff);
+    smallest += std::min(puff.sigma.x, puff.sigma.z) / static_cast<double>(puffs.size());
+  }
+  // Two thirds of a puff's deviation tell it from the next.
+  const double extent = std::max(upper_.x - lower_.x, upper_.y - lower_.y) * widthMeters;
+  pixels_ = static_cast<int>(std::clamp(1.5 * extent / smallest, 32.0, 160.0));
+  values_.assign(static_cast<std::size_t>(pixels_ * pixels_), 0.0f);
+  const glm::dvec2 pixel = (upper_ - lower_) / static_cast<double>(pixels_);
   for (const shape::Puff& puff : puffs) {
     Shadow shadow = shadowOf(puff, widthMeters, shape::extinctionArea(puff) / total);
     shadow.xx += pixel.x * pixel.x / 12, shadow.zz += pixel.y * pixel.y / 12;  // the mean over a pixel
@@ -44,7 +51,7 @@ Footprint::Footprint(std::span<const shape::Puff> puffs, double widthMeters)
     const double peak = shadow.peak / (2 * std::numbers::pi * std::sqrt(determinant));
     const double acrossX = 3 * std::sqrt(shadow.xx), acrossZ = 3 * std::sqrt(shadow.zz);
     const auto pixelOf = [&](double from, double size) {
-      return std::clamp(static_cast<int>(from / size), 0, kPixels - 1);
+      return std::clamp(static_cast<int>(from / size), 0, pixels_ - 1);
     };
     for (int row = pixelOf(shadow.z - acrossZ - lower_.y, pixel.y);
          row <= pixelOf(shadow.z + acrossZ - lower_.y, pixel.y); ++row)
@@ -54,21 +61,32 @@ Footprint::Footprint(std::span<const shape::Puff> puffs, double widthMeters)
                      dz = lower_.y + (row + 0.5) * pixel.y - shadow.z;
         const double q =
             (shadow.zz * dx * dx - 2 * shadow.xz * dx * dz + shadow.xx * dz * dz) / determinant;
-        values_[static_cast<std::size_t>(row * kPixels + column)] +=
+        values_[static_cast<std::size_t>(row * pixels_ + column)] +=
             static_cast<float>(peak * std::exp(-0.5 * q));
       }
   }
 }
 
 float Footprint::at(double x, double z) const {
-  const double column = (x - lower_.x) / (upper_.x - lower_.x) * kPixels - 0.5,
-               row = (z - lower_.y) / (upper_.y - lower_.y) * kPixels - 0.5;
+  const double column = (x - lower_.x) / (upper_.x - lower_.x) * pixels_ - 0.5,
+               row = (z - lower_.y) / (upper_.y - lower_.y) * pixels_ - 0.5;
   const double left = std::floor(column), top = std::floor(row);
-  if (!(left >= 0 && top >= 0 && left < kPixels - 1 && top < kPixels - 1)) return 0;
-  const auto here = static_cast<std::size_t>(top) * kPixels + static_cast<std::size_t>(left);
+  if (!(left >= 0 && top >= 0 && left < pixels_ - 1 && top < pixels_ - 1)) return 0;
+  const auto here = static_cast<std::size_t>(top) * pixels_ + static_cast<std::size_t>(left);
   const auto a = static_cast<float>(column - left), b = static_cast<float>(row - top);
   return (1 - b) * ((1 - a) * values_[here] + a * values_[here + 1]) +
-         b * ((1 - a) * values_[here + kPixels] + a * values_[here + kPixels + 1]);
+         b * ((1 - a) * values_[here + pixels_] + a * values_[here + pixels_ + 1]);
+}
+
+double Footprint::coveredAlone(double opticalDepth, double threshold) const {
+  const double pixel = (upper_.x - lower_.x) * (upper_.y - lower_.y) / static_cast<double>(values_.size());
+  std::vector<float> descending = values_;
+  std::sort(descending.begin(), descending.end(), std::greater<>());
+  // The n brightest pixels are covered if the n-th is above the threshold with the water that n pixels have.
+  std::size_t count = 0;
+  for (std::size_t n = 1; n <= descending.size(); ++n)
+    if (opticalDepth * static_cast<double>(n) * pixel * descending[n - 1] > threshold) count = n;
+  return std::max<double>(1, static_cast<double>(count)) * pixel;
 }
 
 const Footprint& FootprintBook::of(const ArchetypeKey& key) {

@@ -16,16 +16,19 @@ namespace cloudgen::pipeline {
 /// same extinction would give spread over the square of its width. Lengths are in widths, from its origin.
 class Footprint {
  public:
-  static constexpr int kPixels = 40;
   Footprint(std::span<const shape::Puff> puffs, double widthMeters);
   /// Between pixels linear; 0 beyond the puffs' reach.
   float at(double x, double z) const;
   /// How far it reaches from its origin.
   double reach() const { return reach_; }
+  /// The ground, in squares of the width, that the cloud covers with more than `threshold` if it stands alone
+  /// and its optical depth over that ground is `opticalDepth`.
+  double coveredAlone(double opticalDepth, double threshold) const;
 
  private:
   glm::dvec2 lower_{0}, upper_{0};
   double reach_ = 0;
+  int pixels_ = 1;  ///< along each side
   std::vector<float> values_;
 };
 

@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 
+#include "pipeline/footprint.hpp"
+#include "pipeline/quantity.hpp"
 #include "shape/generate.hpp"
 
 namespace cloudgen::pipeline {
@@ -62,6 +65,54 @@ double meanWidthMeters(const Generalisation& general, const shape::Recipe& recip
 
 namespace {
 
+/// Ground, in squares of the width, that a lone cloud of a genus covers with this optical depth.
+double coveredAlone(base::Genus genus, double opticalDepth, const Options& options) {
+  Generalisation coarsest;
+  coarsest.puffsPerCloud.fill(fewestPuffs(options.recipes.of(genus)));
+  const shape::Recipe& recipe = options.recipes.of(genus);
+  const double depth =
+      std::sqrt(static_cast<double>(recipe.thicknessMeters.low) * recipe.thicknessMeters.high);
+  ArchetypeKey key;
+  key.genus = genus;
+  field::Layer layer;
+  layer.genus = genus;
+  key = shapeKeyOf(layer, 0, depth, naturalWidthMeters(recipe, depth), options);
+  return FootprintBook(options, coarsest)
+      .of(key)
+      .coveredAlone(opticalDepth, std::min(kCoveringOpticalDepth, opticalDepth / 3));
+}
+
+/// For each layer, the puffs that its clouds take at the coarsest level times the square of their width; for
+/// counted clouds the puffs.
+std::vector<double> puffsOfUnitWidth(const field::Grid& grid, std::span<const field::Layer> layers,
+                                     std::span<const double> areas, const Options& options,
+                                     const base::GeoBox& box) {
+  std::map<std::pair<base::Genus, int>, double> alone;
+  std::vector<double> costs;
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    const field::Layer& layer = layers[i];
+    const shape::Recipe& recipe = options.recipes.of(layer.genus);
+    if (layer.cloudCount > 0) {
+      costs.push_back(fewestPuffs(recipe) * layer.cloudCount * field::shareInside(grid, layer.cell, box));
+      continue;
+    }
+    if (areas[i] <= 0) {
+      costs.push_back(0);
+      continue;
+    }
+    const int depthClass = static_cast<int>(std::lround(std::log2(std::max(0.03f, layer.opticalDepth()))));
+    const auto [found, isNew] = alone.try_emplace({layer.genus, depthClass});
+    if (isNew) found->second = coveredAlone(layer.genus, std::exp2(depthClass), options);
+    // Clouds that overlap by chance, though rather less: the more of them the higher the cover.
+    const double fraction = std::min(layer.fraction, 1.0f);
+    const double overlapping = -std::log(1 - 0.95 * fraction) / (0.95 * fraction) / found->second;
+    const double each =
+        recipe.sheet ? std::min(1 / coveredSquareMeters(recipe, 1), overlapping) : overlapping;
+    costs.push_back(fewestPuffs(recipe) * areas[i] * each);
+  }
+  return costs;
+}
+
 /// Blocks of about five clouds across and more, in powers of 2.
 std::array<int, base::kGenusCount> blockCellsOf(const field::Grid& grid, std::span<const field::Layer> layers,
                                                 std::span<const double> areas, const Options& options,
@@ -102,28 +153,34 @@ Generalisation generalise(const field::Grid& grid, std::span<const field::Layer>
     last = layer.cell;
     cellArea = std::max(cellArea, area);
   }
-  out.widestMeters = std::max(0.5 * std::sqrt(cellArea), 0.25 * std::sqrt(boxArea));
+  out.widestMeters = 0.5 * std::sqrt(cellArea);
+  const std::vector<double> costs = puffsOfUnitWidth(grid, layers, areas, options, box);
   const auto coarsestPuffs = [&](double enlargement) {
     out.enlargement = enlargement;
     double puffs = 0;
     for (std::size_t i = 0; i < layers.size(); ++i) {
-      const shape::Recipe& recipe = options.recipes.of(layers[i].genus);
       if (layers[i].cloudCount > 0) {
-        puffs += fewestPuffs(recipe) * layers[i].cloudCount * field::shareInside(grid, layers[i].cell, box);
+        puffs += costs[i];
         continue;
       }
-      puffs += fewestPuffs(recipe) * areas[i] /
-               coveredSquareMeters(recipe, meanWidthMeters(out, recipe, layers[i].depthMeters()));
+      const double width =
+          meanWidthMeters(out, options.recipes.of(layers[i].genus), layers[i].depthMeters());
+      puffs += costs[i] / (width * width);
     }
     return puffs;
   };
+  // Wider than half a cell only where the budget wants it; and even then not all of the sky in one cloud.
+  const double widest = 0.25 * std::sqrt(boxArea);
+  const auto maxPuffs = static_cast<double>(options.maxPuffs);
+  while (out.widestMeters < widest && coarsestPuffs(1e5) > maxPuffs)
+    out.widestMeters = std::min(widest, 1.2 * out.widestMeters);
   // Where clouds as wide as they may be still take more than the budget, they need not be wider than that
   // takes.
-  const double budget = std::max(static_cast<double>(options.maxPuffs), 1.001 * coarsestPuffs(1000));
+  const double budget = std::max(maxPuffs, 1.001 * coarsestPuffs(1e5));
   double enough = 1;
   if (coarsestPuffs(1) > budget) {
     double tooFew = 1;
-    enough = 1000;
+    enough = 1e5;
     for (int i = 0; i < 40; ++i) {
       const double middle = std::sqrt(tooFew * enough);
       (coarsestPuffs(middle) > budget ? tooFew : enough) = middle;

@@ -206,6 +206,8 @@ class Placer {
       if (!candidate) continue;
       const double favour = 1 / (1 + std::exp(-2 * candidate->rank));
       if (chance * most_ >= fraction * favour && !(taken_.empty() && number > most / 2)) continue;
+      // Where clouds are many they stand beside each other rather than in each other.
+      if (target_ > 0.25 && canvas_->at(candidate->painted.place) > paintedThreshold()) continue;
       take(std::move(*candidate));
       if (enough()) return;
     }

@@ -19,6 +19,19 @@ namespace {
 
 using Cells = std::vector<std::uint32_t>;
 
+/// The cells and those around them: what the clouds at a box's border depend on.
+Cells withNeighbours(const field::Grid& grid, const Cells& cells) {
+  Cells around = cells;
+  for (const std::uint32_t cell : cells) {
+    const std::vector<std::uint32_t> next = field::neighbours(grid, cell);
+    if (std::includes(cells.begin(), cells.end(), next.begin(), next.end())) continue;
+    around.insert(around.end(), next.begin(), next.end());
+  }
+  std::sort(around.begin(), around.end());
+  around.erase(std::unique(around.begin(), around.end()), around.end());
+  return around;
+}
+
 std::vector<field::Layer> layersFrom(const field::Source& source, const Cells& cells, Outcome& outcome) {
   if (source.telling() == field::Telling::Layers) {
     auto layers = locateLayers(source, cells);
@@ -44,8 +57,9 @@ std::vector<field::Layer> pairedLayersFrom(const field::Source& model, const fie
   auto paired =
       pairLayers(model.grid(), layersFrom(model, modelCells, outcome), typing.grid(),
                  locateLayers(typing, typingCells), typingFiner, typingFiner ? typingCells : modelCells);
+  const Cells near = withNeighbours(typingFiner ? typing.grid() : model.grid(), origin.cells);
   std::erase_if(paired.layers, [&](const field::Layer& layer) {
-    return !std::binary_search(origin.cells.begin(), origin.cells.end(), layer.cell);
+    return !std::binary_search(near.begin(), near.end(), layer.cell);
   });
   outcome.pairing = paired.pairing;
   return std::move(paired.layers);
@@ -74,8 +88,11 @@ Outcome run(const field::Source& source, const Options& options, const base::Pro
   progress.step("location", 0.05);
   field::CloudTable table;
   table.layers = typing ? pairedLayersFrom(source, *typing, typingFiner, origin, outcome)
-                        : layersFrom(source, origin.cells, outcome);
-  outcome.layers = table.layers.size();
+                        : layersFrom(source, withNeighbours(grid, origin.cells), outcome);
+  outcome.layers = static_cast<std::uint64_t>(
+      std::count_if(table.layers.begin(), table.layers.end(), [&](const field::Layer& layer) {
+        return std::binary_search(origin.cells.begin(), origin.cells.end(), layer.cell);
+      }));
   outcome.patches = joinPatches(grid, table.layers);
 
   progress.step("type", 0.2);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
+#include <iomanip>
 #include <iostream>
 
 #include "input/catalogue.hpp"
@@ -22,14 +23,14 @@ std::ostream& operator<<(std::ostream& out, const Difference& d) {
 }
 
 /// `inner`: rings of cells at the border that are left out, because clouds beyond it are missing there.
-Difference differenceOf(const test::MadeSource& source, const Options& options, int inner = 1) {
+Difference differenceOf(const test::MadeSource& source, const Options& options, double pixel, int inner) {
   const Outcome outcome = run(source, options, {});
   const field::Grid& grid = source.grid();
-  const double pixel = field::cellSidesMeters(grid, 0).y / 48;
   std::map<std::uint32_t, const field::StatedLayer*> layers;
   for (const field::StatedLayer& layer : source.layers) layers[layer.cell] = &layer;
   const auto seen = test::PaintedSky(outcome.scene, pixel).byCell(outcome.scene, grid);
   Difference d;
+  std::cout << std::setprecision(3);
   double water = 0, wanted = 0;
   for (const auto& [cell, sky] : seen) {
     const int column = grid.column(cell), row = grid.row(cell);
@@ -59,13 +60,15 @@ field::StatedLayer layerOf(base::Genus genus, float cover) {
 }
 
 TEST(Conservation, Measure) {
-  for (const double step : {2.5, 0.25})
+  for (const bool fine : {false, true})
     for (const base::Genus genus : base::allGenera())
-      for (const float cover : {0.1f, 0.5f, 0.9f, 1.0f}) {
-        test::MadeSource source(10, 44, step, 6, 6);
+      for (const float cover : {0.1f, 0.3f, 0.6f, 0.9f, 1.0f}) {
+        const int cells = fine ? 24 : 4;
+        test::MadeSource source(10, 44, fine ? 0.2 : 1.5, cells, cells);
         source.cover(layerOf(genus, cover));
-        std::cout << "MEASURE " << step << ' ' << base::abbreviation(genus) << ' ' << cover << ": "
-                  << differenceOf(source, test::usualOptions(step == 2.5 ? 400'000 : 200'000)) << std::endl;
+        std::cout << "MEASURE " << fine << ' ' << base::abbreviation(genus) << ' ' << cover << ": "
+                  << differenceOf(source, test::usualOptions(200'000), fine ? 1000 : 700, fine ? 3 : 1)
+                  << std::endl;
       }
 }
 
