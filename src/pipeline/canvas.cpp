@@ -13,7 +13,9 @@ int pixelsAlong(double meters, double pixelMeters) {
   return static_cast<int>(std::clamp<double>(std::ceil(meters / pixelMeters), kFewestPixels, kMostPixels));
 }
 
-/// The pixel that lies in for one beyond the border.
+int around(int i, int count) { return (i % count + count) % count; }
+
+/// The pixel that lies in for one beyond a mirror.
 int folded(int i, int count) {
   const int period = 2 * count, within = (i % period + period) % period;
   return within < count ? within : period - 1 - within;
@@ -45,10 +47,12 @@ void Canvas::add(const PaintedCloud& cloud, double opticalDepth) {
                                              static_cast<std::size_t>(columns_);
     const double away = (row + 0.5) * pixel_.y - cloud.place.y;
     const double south = cloud.mirrored ? -away : away;
+    int column = around(firstColumn, columns_);
     for (int i = firstColumn; i <= lastColumn; ++i) {
       const double east = (i + 0.5) * pixel_.x - cloud.place.x;
-      line[folded(i, columns_)] += static_cast<float>(opticalDepth) *
+      line[column] += static_cast<float>(opticalDepth) *
                       cloud.footprint->at(right * east - up * south, up * east + right * south);
+      if (++column == columns_) column = 0;
     }
   }
 }
@@ -61,7 +65,7 @@ double Canvas::cover(double opticalDepth) const {
 }
 
 float Canvas::at(const glm::dvec2& place) const {
-  const int column = folded(static_cast<int>(std::floor(place.x / pixel_.x)), columns_),
+  const int column = around(static_cast<int>(std::floor(place.x / pixel_.x)), columns_),
             row = folded(static_cast<int>(std::floor(place.y / pixel_.y)), rows_);
   return values_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
                  static_cast<std::size_t>(column)];

@@ -18,8 +18,10 @@ struct PaintedCloud {
   const Footprint* footprint = nullptr;
 };
 
-/// Optical depth seen from above over a rectangle whose borders are mirrors: what leaves is what the
-/// neighbour, whose clouds go on as they are here, sends in.
+/// Optical depth seen from above over a rectangle. What leaves it is what the neighbour, which is taken to be
+/// alike, sends in: along the rows it comes in at the other side, where it overlaps by chance, along the
+/// columns it is thrown back, where it overlaps what it came from. Clouds do both: the errors of either in
+/// the cover, of opposite sign, cancel.
 class Canvas {
  public:
   Canvas(const glm::dvec2& sizeMeters, double pixelMeters);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <tuple>
 
 #include "pipeline/footprint.hpp"
 #include "pipeline/quantity.hpp"
@@ -65,59 +66,90 @@ double meanWidthMeters(const Generalisation& general, const shape::Recipe& recip
 
 namespace {
 
-/// Ground, in squares of the width, that a lone cloud of a genus covers with this optical depth.
-double coveredAlone(base::Genus genus, double opticalDepth, const Options& options) {
+/// Ground, in squares of the width, that a lone cloud covers with this optical depth.
+double coveredAlone(base::Genus genus, double aspect, double opticalDepth, const Options& options) {
   Generalisation coarsest;
   coarsest.puffsPerCloud.fill(fewestPuffs(options.recipes.of(genus)));
-  const shape::Recipe& recipe = options.recipes.of(genus);
-  const double depth =
-      std::sqrt(static_cast<double>(recipe.thicknessMeters.low) * recipe.thicknessMeters.high);
-  ArchetypeKey key;
-  key.genus = genus;
   field::Layer layer;
   layer.genus = genus;
-  key = shapeKeyOf(layer, 0, depth, naturalWidthMeters(recipe, depth), options);
   return FootprintBook(options, coarsest)
-      .of(key)
+      .of(shapeKeyOf(layer, 0, aspect, 1, options))
       .coveredAlone(opticalDepth, std::min(kCoveringOpticalDepth, opticalDepth / 3));
 }
 
-/// For each layer, the puffs that its clouds take at the coarsest level times the square of their width; for
-/// counted clouds the puffs.
+/// For each layer, the puffs that its clouds take at the coarsest level times the square of their width, at
+/// the aspect that they have under this enlargement; for counted clouds the puffs.
 std::vector<double> puffsOfUnitWidth(const field::Grid& grid, std::span<const field::Layer> layers,
                                      std::span<const double> areas, const Options& options,
-                                     const base::GeoBox& box) {
-  std::map<std::pair<base::Genus, int>, double> alone;
+                                     const base::GeoBox& box, const Generalisation& general) {
+  std::map<std::tuple<base::Genus, int, int>, double> alone;
   std::vector<double> costs;
   for (std::size_t i = 0; i < layers.size(); ++i) {
     const field::Layer& layer = layers[i];
     const shape::Recipe& recipe = options.recipes.of(layer.genus);
-    if (layer.cloudCount > 0) {
+    if (layer.cloudCount > 0 || areas[i] <= 0) {
       costs.push_back(fewestPuffs(recipe) * layer.cloudCount * field::shareInside(grid, layer.cell, box));
       continue;
     }
-    if (areas[i] <= 0) {
-      costs.push_back(0);
-      continue;
-    }
     const int depthClass = static_cast<int>(std::lround(std::log2(std::max(0.03f, layer.opticalDepth()))));
-    const auto [found, isNew] = alone.try_emplace({layer.genus, depthClass});
-    if (isNew) found->second = coveredAlone(layer.genus, std::exp2(depthClass), options);
-    // Clouds that overlap by chance, though rather less: the more of them the higher the cover.
+    const double aspect = layer.depthMeters() / meanWidthMeters(general, recipe, layer.depthMeters());
+    const int aspectClass = static_cast<int>(std::lround(std::log2(aspect)));
+    const auto [found, isNew] = alone.try_emplace({layer.genus, depthClass, aspectClass});
+    if (isNew)
+      found->second = coveredAlone(layer.genus, std::exp2(aspectClass), std::exp2(depthClass), options);
+    // Clouds overlap by chance, the more of them the higher the cover; those of sheets, in clumps of the
+    // lattice, about half as much as they would without gaps.
     const double fraction = std::min(layer.fraction, 1.0f);
-    const double overlapping = -std::log(1 - 0.95 * fraction) / (0.95 * fraction) / found->second;
-    const double each =
-        recipe.sheet ? std::min(1 / coveredSquareMeters(recipe, 1), overlapping) : overlapping;
-    costs.push_back(fewestPuffs(recipe) * areas[i] * each);
+    const double apart = -std::log(1 - 0.95 * fraction) / (0.95 * fraction) / found->second;
+    const double dense = 1 / coveredSquareMeters(recipe, 1);
+    costs.push_back(fewestPuffs(recipe) * areas[i] *
+                    (!recipe.sheet ? apart : (apart < dense ? std::sqrt(apart * dense) : dense)));
   }
   return costs;
 }
 
-/// Blocks of about five clouds across and more, in powers of 2.
+/// Finds the enlargement; returns the puffs that it takes at the coarsest level.
+double enlarge(Generalisation& out, std::span<const field::Layer> layers, const std::vector<double>& costs,
+               const Options& options, double widestOfAll) {
+  const auto coarsestPuffs = [&](double enlargement) {
+    out.enlargement = enlargement;
+    double puffs = 0;
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+      if (layers[i].cloudCount > 0) {
+        puffs += costs[i];
+        continue;
+      }
+      const double width =
+          meanWidthMeters(out, options.recipes.of(layers[i].genus), layers[i].depthMeters());
+      puffs += costs[i] / (width * width);
+    }
+    return puffs;
+  };
+  constexpr double kMost = 1e5;
+  // Wider than half a cell only where the budget wants it; and even then not all of the sky in one cloud.
+  const auto maxPuffs = static_cast<double>(options.maxPuffs);
+  while (out.widestMeters < widestOfAll && coarsestPuffs(kMost) > maxPuffs)
+    out.widestMeters = std::min(widestOfAll, 1.2 * out.widestMeters);
+  // Where clouds as wide as they may be still take more than the budget, they need not be wider than that
+  // takes.
+  const double budget = std::max(maxPuffs, 1.001 * coarsestPuffs(kMost));
+  double enough = 1;
+  if (coarsestPuffs(1) > budget) {
+    double tooFew = 1;
+    enough = kMost;
+    for (int i = 0; i < 40; ++i) {
+      const double middle = std::sqrt(tooFew * enough);
+      (coarsestPuffs(middle) > budget ? tooFew : enough) = middle;
+    }
+  }
+  return coarsestPuffs(enough);
+}
+
+/// Blocks of about eight clouds across and more, in powers of 2.
 std::array<int, base::kGenusCount> blockCellsOf(const field::Grid& grid, std::span<const field::Layer> layers,
                                                 std::span<const double> areas, const Options& options,
                                                 const Generalisation& general) {
-  constexpr double kCloudsAcross = 5;
+  constexpr double kCloudsAcross = 8;
   constexpr int kMostCells = 4096;
   std::array<double, base::kGenusCount> weight{}, spacing{}, side{};
   for (std::size_t i = 0; i < layers.size(); ++i) {
@@ -154,46 +186,18 @@ Generalisation generalise(const field::Grid& grid, std::span<const field::Layer>
     cellArea = std::max(cellArea, area);
   }
   out.widestMeters = 0.5 * std::sqrt(cellArea);
-  const std::vector<double> costs = puffsOfUnitWidth(grid, layers, areas, options, box);
-  const auto coarsestPuffs = [&](double enlargement) {
-    out.enlargement = enlargement;
-    double puffs = 0;
-    for (std::size_t i = 0; i < layers.size(); ++i) {
-      if (layers[i].cloudCount > 0) {
-        puffs += costs[i];
-        continue;
-      }
-      const double width =
-          meanWidthMeters(out, options.recipes.of(layers[i].genus), layers[i].depthMeters());
-      puffs += costs[i] / (width * width);
-    }
-    return puffs;
-  };
-  // Wider than half a cell only where the budget wants it; and even then not all of the sky in one cloud.
-  const double widest = 0.25 * std::sqrt(boxArea);
-  const auto maxPuffs = static_cast<double>(options.maxPuffs);
-  while (out.widestMeters < widest && coarsestPuffs(1e5) > maxPuffs)
-    out.widestMeters = std::min(widest, 1.2 * out.widestMeters);
-  // Where clouds as wide as they may be still take more than the budget, they need not be wider than that
-  // takes.
-  const double budget = std::max(maxPuffs, 1.001 * coarsestPuffs(1e5));
-  double enough = 1;
-  if (coarsestPuffs(1) > budget) {
-    double tooFew = 1;
-    enough = 1e5;
-    for (int i = 0; i < 40; ++i) {
-      const double middle = std::sqrt(tooFew * enough);
-      (coarsestPuffs(middle) > budget ? tooFew : enough) = middle;
-    }
-  }
+  // Twice, because what a cloud covers depends on its aspect, and this on the enlargement.
+  double puffs = 0;
+  for (int pass = 0; pass < 2; ++pass)
+    puffs = enlarge(out, layers, puffsOfUnitWidth(grid, layers, areas, options, box, out), options,
+                    0.25 * std::sqrt(boxArea));
   // Below 1 only where enlargement has reached its limit: clouds are then told by fewer puffs than they
   // should have.
   const double richness =
-      std::clamp(static_cast<double>(options.maxPuffs) / std::max(coarsestPuffs(enough), 1.0), 0.1, 400.0);
+      std::clamp(static_cast<double>(options.maxPuffs) / std::max(puffs, 1.0), 0.1, 400.0);
   for (const base::Genus genus : base::allGenera())
     out.puffsPerCloud[static_cast<size_t>(genus)] =
         static_cast<int>(fewestPuffs(options.recipes.of(genus)) * richness);
-  out.enlargement = enough;
   out.blockCells = blockCellsOf(grid, layers, areas, options, out);
   return out;
 }

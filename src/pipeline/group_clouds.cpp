@@ -198,6 +198,9 @@ class Placer {
     const double expected = covered_ / coveredSquareMeters(recipe_, width_);
     const auto most = static_cast<std::uint32_t>(
         std::min(8e6, 64 * (1 + expected / std::max(0.05, 1.02 - target_))));
+    // Threads so thin that together they cannot cover what they should end somewhere.
+    const auto room = static_cast<std::size_t>(
+        8 + 50 * target_ * group_.block.sizeMeters.x * group_.block.sizeMeters.y / (width_ * width_));
     for (std::uint32_t number = 0; number < most; ++number) {
       base::RandomStream stream = streamOf(number);
       const double u = stream.uniform(), v = stream.uniform(), chance = stream.uniform();
@@ -209,7 +212,7 @@ class Placer {
       // Where clouds are many they stand beside each other rather than in each other.
       if (target_ > 0.25 && canvas_->at(candidate->painted.place) > paintedThreshold()) continue;
       take(std::move(*candidate));
-      if (enough()) return;
+      if (enough() || taken_.size() >= room) return;
     }
   }
 

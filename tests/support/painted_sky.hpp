@@ -13,7 +13,7 @@
 
 namespace cloudgen::test {
 
-/// A scene seen from straight above: optical depth on a raster over its rectangle. Knows nothing of how the
+/// A scene seen from straight above: optical depth along rays through the points of a raster. Knows nothing of how the
 /// clouds came about.
 struct PaintedSky {
   int columns = 0, rows = 0;
@@ -69,7 +69,7 @@ struct PaintedSky {
  private:
   void paint(const shape::Puff& puff) {
     const glm::mat3 axes = glm::mat3_cast(puff.rotation);
-    double xx = pixelMeters * pixelMeters / 12, zz = xx, xz = 0;
+    double xx = 0, zz = 0, xz = 0;
     for (int k = 0; k < 3; ++k) {
       const double s = puff.sigma[k];
       xx += s * s * axes[k].x * axes[k].x, zz += s * s * axes[k].z * axes[k].z, xz += s * s * axes[k].x * axes[k].z;
