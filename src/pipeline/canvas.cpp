@@ -23,13 +23,16 @@ int folded(int i, int count) {
 
 }  // namespace
 
-Canvas::Canvas(const glm::dvec2& sizeMeters, double pixelMeters)
+Canvas::Canvas(const glm::dvec2& sizeMeters, double pixelMeters, bool mirrors)
     : size_(sizeMeters),
+      mirrors_(mirrors),
       columns_(pixelsAlong(sizeMeters.x, pixelMeters)),
       rows_(pixelsAlong(sizeMeters.y, pixelMeters)),
       values_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), 0.0f) {
   pixel_ = {size_.x / columns_, size_.y / rows_};
 }
+
+int Canvas::rowOf(int row) const { return mirrors_ ? folded(row, rows_) : around(row, rows_); }
 
 void Canvas::add(const PaintedCloud& cloud, double opticalDepth) {
   const double reach = cloud.footprint->reach() * cloud.widthMeters;
@@ -43,7 +46,7 @@ void Canvas::add(const PaintedCloud& cloud, double opticalDepth) {
   };
   const int firstColumn = first(cloud.place.x, pixel_.x), lastColumn = last(cloud.place.x, pixel_.x);
   for (int row = first(cloud.place.y, pixel_.y); row <= last(cloud.place.y, pixel_.y); ++row) {
-    float* const line = values_.data() + static_cast<std::size_t>(folded(row, rows_)) *
+    float* const line = values_.data() + static_cast<std::size_t>(rowOf(row)) *
                                              static_cast<std::size_t>(columns_);
     const double away = (row + 0.5) * pixel_.y - cloud.place.y;
     const double south = cloud.mirrored ? -away : away;
@@ -66,7 +69,7 @@ double Canvas::cover(double opticalDepth) const {
 
 float Canvas::at(const glm::dvec2& place) const {
   const int column = around(static_cast<int>(std::floor(place.x / pixel_.x)), columns_),
-            row = folded(static_cast<int>(std::floor(place.y / pixel_.y)), rows_);
+            row = rowOf(static_cast<int>(std::floor(place.y / pixel_.y)));
   return values_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
                  static_cast<std::size_t>(column)];
 }

@@ -19,12 +19,12 @@ struct PaintedCloud {
 };
 
 /// Optical depth seen from above over a rectangle. What leaves it is what the neighbour, which is taken to be
-/// alike, sends in: along the rows it comes in at the other side, where it overlaps by chance, along the
-/// columns it is thrown back, where it overlaps what it came from. Clouds do both: the errors of either in
-/// the cover, of opposite sign, cancel.
+/// alike, sends in at the other side, where it overlaps by chance. With mirrors it is thrown back at the first
+/// and the last row, where it overlaps what it came from: clumps that go on beyond the border do both, and
+/// the errors of either in the cover, of opposite sign, cancel.
 class Canvas {
  public:
-  Canvas(const glm::dvec2& sizeMeters, double pixelMeters);
+  Canvas(const glm::dvec2& sizeMeters, double pixelMeters, bool mirrors);
   /// Adds `opticalDepth` times the footprint; a negative one takes it away again.
   void add(const PaintedCloud& cloud, double opticalDepth);
   /// Share of the canvas above a value.
@@ -32,7 +32,10 @@ class Canvas {
   float at(const glm::dvec2& place) const;
 
  private:
+  int rowOf(int row) const;
+
   glm::dvec2 size_, pixel_{0};
+  bool mirrors_ = false;
   int columns_ = 1, rows_ = 1;
   std::vector<float> values_;
 };

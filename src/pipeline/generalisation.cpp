@@ -145,11 +145,11 @@ double enlarge(Generalisation& out, std::span<const field::Layer> layers, const 
   return coarsestPuffs(enough);
 }
 
-/// Blocks of about eight clouds across and more, in powers of 2.
+/// Blocks of about four clouds across and more, in powers of 2.
 std::array<int, base::kGenusCount> blockCellsOf(const field::Grid& grid, std::span<const field::Layer> layers,
                                                 std::span<const double> areas, const Options& options,
                                                 const Generalisation& general) {
-  constexpr double kCloudsAcross = 8;
+  constexpr double kCloudsAcross = 4;
   constexpr int kMostCells = 4096;
   std::array<double, base::kGenusCount> weight{}, spacing{}, side{};
   for (std::size_t i = 0; i < layers.size(); ++i) {

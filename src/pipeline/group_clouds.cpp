@@ -66,7 +66,7 @@ class Placer {
 
   std::vector<field::Cloud> clouds() {
     if (covered_ <= 0) return {};
-    canvas_.emplace(group_.block.sizeMeters, width_ / 10);
+    canvas_.emplace(group_.block.sizeMeters, width_ / 10, recipe_.sheet);
     recipe_.sheet ? addSheet() : addSeparate();
     if (taken_.empty()) return {};
     if (!fitLast()) return {};
@@ -180,7 +180,7 @@ class Placer {
   /// Where a lattice leaves gaps that should not be, as small blocks do that it meets by chance: clouds in
   /// the gaps.
   void fillGaps(std::uint32_t places) {
-    std::uint32_t more = places + 4;
+    std::uint32_t more = 2 * places + 4;
     for (std::uint32_t i = 0; i < 12 * places + 64 && more > 0 && cover() < target_ - 0.004; ++i) {
       base::RandomStream stream = streamOf(places + i);
       const double u = stream.uniform(), v = stream.uniform();
@@ -200,7 +200,7 @@ class Placer {
         std::min(8e6, 64 * (1 + expected / std::max(0.05, 1.02 - target_))));
     // Threads so thin that together they cannot cover what they should end somewhere.
     const auto room = static_cast<std::size_t>(
-        8 + 50 * target_ * group_.block.sizeMeters.x * group_.block.sizeMeters.y / (width_ * width_));
+        8 + 400 * target_ * group_.block.sizeMeters.x * group_.block.sizeMeters.y / (width_ * width_));
     for (std::uint32_t number = 0; number < most; ++number) {
       base::RandomStream stream = streamOf(number);
       const double u = stream.uniform(), v = stream.uniform(), chance = stream.uniform();
