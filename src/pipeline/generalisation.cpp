@@ -61,7 +61,8 @@ double countedWidthMeters(const shape::Recipe& recipe, double coversSquareMeters
 
 double meanWidthMeters(const Generalisation& general, const shape::Recipe& recipe, double depthMeters) {
   const double natural = naturalWidthMeters(recipe, depthMeters);
-  return std::min(natural * general.enlargement, std::max(natural, general.widestMeters));
+  const double times = recipe.sheet ? std::sqrt(general.enlargement) : general.enlargement;
+  return std::min(natural * times, std::max(natural, general.widestMeters));
 }
 
 namespace {
@@ -190,7 +191,7 @@ Generalisation generalise(const field::Grid& grid, std::span<const field::Layer>
   double puffs = 0;
   for (int pass = 0; pass < 2; ++pass)
     puffs = enlarge(out, layers, puffsOfUnitWidth(grid, layers, areas, options, box, out), options,
-                    0.25 * std::sqrt(boxArea));
+                    std::sqrt(boxArea) / 12);
   // Below 1 only where enlargement has reached its limit: clouds are then told by fewer puffs than they
   // should have.
   const double richness =

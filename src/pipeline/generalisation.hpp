@@ -13,8 +13,11 @@ namespace cloudgen::pipeline {
 /// How the puff budget is spent: as in cartography, a small budget draws fewer and larger clouds of the same
 /// cover and water.
 struct Generalisation {
-  double enlargement = 1;     ///< widths times this, >= 1, as far as widestMeters lets them
-  double widestMeters = 1e9;  ///< enlarged clouds stay within a quarter of the box, or half a model cell
+  /// Widths times this, >= 1 (those of sheets, whose elements are wide by nature, times its root), as far as
+  /// widestMeters lets them.
+  double enlargement = 1;
+  /// Enlarged clouds stay within half a model cell or, where the budget wants more, a twelfth of the box.
+  double widestMeters = 1e9;
   std::array<int, base::kGenusCount> puffsPerCloud;  ///< one level of detail a genus
   /// Rows of cells in which the clouds of a genus are placed together (Block): 1 where cells are much wider
   /// than clouds, else a power of 2.

@@ -3,8 +3,11 @@
 #include <iomanip>
 #include <iostream>
 
+#include "field/collect.hpp"
 #include "input/catalogue.hpp"
+#include "pipeline/location.hpp"
 #include "pipeline/pipeline.hpp"
+#include "pipeline/type.hpp"
 #include "support/made_source.hpp"
 #include "support/painted_sky.hpp"
 
@@ -57,6 +60,43 @@ field::StatedLayer layerOf(base::Genus genus, float cover) {
           .opticalDepth = recipe.opticalDepth,
           .windEast = 8,
           .windNorth = 3};
+}
+
+// Regional boxes of a real forecast, genus by genus: what is drawn in a cell against its layers. The box of
+// the comparison lies within the one that is built.
+TEST(Conservation, OfARealForecast) {
+  const std::filesystem::path file =
+      std::filesystem::path(CLOUDGEN_SHARED_DIR) / "data" / "gfs_2p5_20110110_f120.grib2";
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << "../shared is not there";
+  const auto source = input::open({file});
+  for (const std::uint64_t budget : {20'000u, 200'000u, 2'000'000u}) {
+    Options options = test::usualOptions(budget);
+    options.box = base::GeoBox{-100, 25, -60, 50};
+    const Outcome outcome = run(*source, options, {});
+    auto layers = locateLayers(field::collectColumns(
+        *source, field::cellsTouching(source->grid(), field::extent(source->grid()))));
+    typeLayers(source->grid(), layers);
+    std::map<std::uint32_t, double> error;
+    double bias = 0, square = 0, water = 0, wanted = 0, cells = 0, away = 0;
+    for (const base::Genus genus : base::allGenera()) {
+      std::map<std::uint32_t, double> clear, depth;
+      for (const field::Layer& layer : layers)
+        if (layer.genus == genus) {
+          clear.try_emplace(layer.cell, 1).first->second *= 1 - layer.fraction;
+          depth[layer.cell] += layer.fraction * layer.opticalDepth();
+        }
+      const auto seen = test::PaintedSky(outcome.scene, 4000, genus).byCell(outcome.scene, source->grid());
+      for (const auto& [cell, sky] : seen) {
+        const double cover = clear.contains(cell) ? 1 - clear.at(cell) : 0;
+        const double difference = sky.cover() - cover;
+        bias += difference, square += difference * difference, away += std::abs(difference), cells += 1;
+        water += sky.meanOpticalDepth() * sky.pixels, wanted += (depth.contains(cell) ? depth.at(cell) : 0) * sky.pixels;
+      }
+    }
+    std::cout << "MEASURE GFS " << budget << ": cover bias " << bias / cells << " rmse "
+              << std::sqrt(square / cells) << " abs " << away / cells << " tau " << water / wanted - 1
+              << " puffs " << scene::drawnPuffs(outcome.scene) << std::endl;
+  }
 }
 
 TEST(Conservation, Measure) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pipeline/size.hpp"
 
+#include <map>
 #include <set>
 
 #include "shape/generate.hpp"
@@ -54,10 +55,13 @@ TEST(Size, HeapsAreOfManySizesMostlySmall) {
 }
 
 TEST(Size, ElementsOfASheetAreAlike) {
-  std::set<float> widths;
-  for (const field::Cloud& cloud : made(test::stratocumulusLayer()).table.clouds)
-    widths.insert(cloud.widthMeters);
-  EXPECT_EQ(widths.size(), 1u);
+  std::map<float, int> widths;
+  const test::MadeTable sky = made(test::stratocumulusLayer());
+  for (const field::Cloud& cloud : sky.table.clouds) ++widths[cloud.widthMeters];
+  int most = 0;
+  for (const auto& [width, clouds] : widths) most = std::max(most, clouds);
+  // But for one in a block that makes the cover right.
+  EXPECT_GT(most, static_cast<int>(sky.table.clouds.size()) - 24 - 1);
 }
 
 }  // namespace
