@@ -96,8 +96,10 @@ std::vector<double> puffsOfUnitWidth(const field::Grid& grid, std::span<const fi
     const double aspect = layer.depthMeters() / meanWidthMeters(general, recipe, layer.depthMeters());
     const int aspectClass = static_cast<int>(std::lround(std::log2(aspect)));
     const auto [found, isNew] = alone.try_emplace({layer.genus, depthClass, aspectClass});
+    // Threads cover next to nothing; a budget must not be spent on them alone.
     if (isNew)
-      found->second = coveredAlone(layer.genus, std::exp2(aspectClass), std::exp2(depthClass), options);
+      found->second = std::max(
+          0.08, coveredAlone(layer.genus, std::exp2(aspectClass), std::exp2(depthClass), options));
     // Clouds overlap by chance, the more of them the higher the cover; those of sheets, in clumps of the
     // lattice, about half as much as they would without gaps.
     const double fraction = std::min(layer.fraction, 1.0f);

@@ -104,7 +104,7 @@ class Placer {
     candidate.cloud.baseMeters = static_cast<float>(here.baseMeters);
     candidate.cloud.depthMeters = static_cast<float>(here.topMeters - here.baseMeters);
     candidate.painted.place = glm::dvec2(u, v) * group_.block.sizeMeters;
-    candidate.rank = unevenness(point, recipe_.sheet ? width_ : 4 * width_, group_.genus,
+    candidate.rank = unevenness(point, recipe_.sheet ? width_ : 8 * width_, group_.genus,
                                 context_.options.seed) /
                      kUnevennessDeviation;
     return candidate;
@@ -200,14 +200,14 @@ class Placer {
         std::min(8e6, 64 * (1 + expected / std::max(0.05, 1.02 - target_))));
     // Threads so thin that together they cannot cover what they should end somewhere.
     const auto room = static_cast<std::size_t>(
-        8 + 400 * target_ * group_.block.sizeMeters.x * group_.block.sizeMeters.y / (width_ * width_));
+        8 + 40 * target_ * group_.block.sizeMeters.x * group_.block.sizeMeters.y / (width_ * width_));
     for (std::uint32_t number = 0; number < most; ++number) {
       base::RandomStream stream = streamOf(number);
       const double u = stream.uniform(), v = stream.uniform(), chance = stream.uniform();
       double fraction = 0;
       auto candidate = candidateAt(u, v, number, fraction);
       if (!candidate) continue;
-      const double favour = 1 / (1 + std::exp(-2 * candidate->rank));
+      const double favour = 1 / (1 + std::exp(-2.5 * candidate->rank));
       if (chance * most_ >= fraction * favour && !(taken_.empty() && number > most / 2)) continue;
       // Where clouds are many they stand beside each other rather than in each other.
       if (target_ > 0.25 && canvas_->at(candidate->painted.place) > paintedThreshold()) continue;

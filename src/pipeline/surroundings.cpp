@@ -17,12 +17,6 @@ double pastTheMiddle(double t) { return std::copysign(2 * std::max(0.0, std::abs
 
 double tent(double distance) { return std::max(0.0, 1 - std::abs(distance)); }
 
-/// Mean 1 over the cell, 0 at its border.
-double swell(double u, double v) {
-  const auto across = [](double t) { return 1.25 * (1 - std::pow(2 * t - 1, 4)); };
-  return across(u) * across(v);
-}
-
 /// How many cells `to` lies from `from`, along its rows and columns.
 std::pair<double, double> cellsAway(const field::Grid& grid, std::uint32_t from, std::uint32_t to) {
   if (grid.reducedRows.empty()) {
@@ -59,7 +53,7 @@ double LayerAround::linearFraction(double u, double v) const {
 
 LayerAtPlace LayerAround::at(double u, double v) const {
   LayerAtPlace here;
-  here.fraction = std::clamp(linearFraction(u, v) + lacking_ * swell(u, v), 0.0, 1.0);
+  here.fraction = std::clamp(linearFraction(u, v), 0.0, 1.0);
   const double x = pastTheMiddle(u - 0.5), y = pastTheMiddle(v - 0.5);
   double weight = 0;
   const auto mix = [&](const field::Layer& layer, double share) {
@@ -99,12 +93,6 @@ LayerAround Surroundings::of(const field::Layer& layer) const {
     }
     around.neighbours_.push_back(next);
   }
-  constexpr int kSamples = 4;
-  double mean = 0;
-  for (int row = 0; row < kSamples; ++row)
-    for (int column = 0; column < kSamples; ++column)
-      mean += around.linearFraction((column + 0.5) / kSamples, (row + 0.5) / kSamples);
-  around.lacking_ = layer.fraction - mean / (kSamples * kSamples);
   return around;
 }
 

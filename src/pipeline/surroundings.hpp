@@ -20,8 +20,8 @@ struct LayerAtPlace {
 class LayerAround {
  public:
   /// (u, v) as in field::pointIn. Continuous from cell to cell: linear between the centres for the cover,
-  /// whose mean over the cell is kept by a swell that vanishes at the border; heights and optical depth are
-  /// the cell's own in its middle half and pass into the neighbours' in the rest.
+  /// which says where clouds stand rather than how many; heights and optical depth are the cell's own in its
+  /// middle half and pass into the neighbours' in the rest.
   LayerAtPlace at(double u, double v) const;
 
  private:
@@ -32,7 +32,6 @@ class LayerAround {
   };
   const field::Layer* own_ = nullptr;
   std::vector<Neighbour> neighbours_;
-  double lacking_ = 0;  ///< the layer's fraction less the mean of the linear one
   double linearFraction(double u, double v) const;
 };
 
