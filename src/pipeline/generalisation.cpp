@@ -135,7 +135,7 @@ double enlarge(Generalisation& out, std::span<const field::Layer> layers, const 
     out.widestMeters = std::min(widestOfAll, 1.2 * out.widestMeters);
   // Where clouds as wide as they may be still take more than the budget, they need not be wider than that
   // takes.
-  const double budget = std::max(maxPuffs, 1.001 * coarsestPuffs(kMost));
+  const double budget = std::max(maxPuffs, 1.02 * coarsestPuffs(kMost));
   double enough = 1;
   if (coarsestPuffs(1) > budget) {
     double tooFew = 1;
@@ -201,6 +201,15 @@ Generalisation generalise(const field::Grid& grid, std::span<const field::Layer>
   for (const base::Genus genus : base::allGenera())
     out.puffsPerCloud[static_cast<size_t>(genus)] =
         static_cast<int>(fewestPuffs(options.recipes.of(genus)) * richness);
+  double natural = 0, drawn = 0;
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    if (layers[i].cloudCount > 0) continue;
+    const shape::Recipe& recipe = options.recipes.of(layers[i].genus);
+    natural += areas[i];
+    drawn += areas[i] * meanWidthMeters(out, recipe, layers[i].depthMeters()) /
+             naturalWidthMeters(recipe, layers[i].depthMeters());
+  }
+  if (natural > 0) out.meanEnlargement = drawn / natural;
   out.blockCells = blockCellsOf(grid, layers, areas, options, out);
   return out;
 }

@@ -16,6 +16,7 @@ struct Generalisation {
   /// Widths times this, >= 1 (those of sheets, whose elements are wide by nature, times its root), as far as
   /// widestMeters lets them.
   double enlargement = 1;
+  double meanEnlargement = 1;  ///< what comes of both, the mean over the covered ground
   /// Enlarged clouds stay within half a model cell or, where the budget wants more, a twelfth of the box.
   double widestMeters = 1e9;
   std::array<int, base::kGenusCount> puffsPerCloud;  ///< one level of detail a genus

@@ -207,8 +207,9 @@ class Placer {
       double fraction = 0;
       auto candidate = candidateAt(u, v, number, fraction);
       if (!candidate) continue;
-      const double favour = 1 / (1 + std::exp(-2.5 * candidate->rank));
-      if (chance * most_ >= fraction * favour && !(taken_.empty() && number > most / 2)) continue;
+      // A field thins out towards its border, where its neighbours are clearer, so that it is no square.
+      const double inner = std::min(1.0, fraction / most_), favour = 1 / (1 + std::exp(-2.5 * candidate->rank));
+      if (chance >= inner * inner * favour && !(taken_.empty() && number > most / 2)) continue;
       // Where clouds are many they stand beside each other rather than in each other.
       if (target_ > 0.25 && canvas_->at(candidate->painted.place) > paintedThreshold()) continue;
       take(std::move(*candidate));

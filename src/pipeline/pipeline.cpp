@@ -100,7 +100,7 @@ Outcome run(const field::Source& source, const Options& options, const base::Pro
 
   progress.step("quantity", 0.25);
   const Generalisation general = generalise(grid, table.layers, options, box);
-  outcome.enlargement = general.enlargement;
+  outcome.enlargement = general.meanEnlargement;
   placeClouds(grid, options, general, box, table);
 
   standOnTerrain(origin.ground, origin.frame, table);
@@ -114,11 +114,11 @@ Outcome run(const field::Source& source, const Options& options, const base::Pro
     for (const field::Warning& warning : typing->info().warnings)
       outcome.warnings.push_back("typing: " + warning.text);
   outcome.warnings.insert(outcome.warnings.end(), origin.warnings.begin(), origin.warnings.end());
-  if (general.enlargement > 1.01)
+  if (general.meanEnlargement > 1.01)
     outcome.warnings.push_back(
         fmt::format("the puff budget of {} draws clouds {:.1f} times as wide as natural, and fewer; raise "
                     "--max-puffs or take a smaller --bbox for natural sizes",
-                    options.maxPuffs, general.enlargement));
+                    options.maxPuffs, general.meanEnlargement));
   const std::uint64_t drawn = scene::drawnPuffs(outcome.scene);
   if (static_cast<double>(drawn) > 1.5 * static_cast<double>(options.maxPuffs))
     outcome.warnings.push_back(fmt::format(

@@ -36,8 +36,28 @@ TEST(Generalisation, DrawsAboutTheBudgetOfSheets) {
     EXPECT_NEAR(drawn({source, test::usualOptions(budget)}) / static_cast<double>(budget), 1, 0.3) << budget;
 }
 
-// Enlarged no further than half a cell: a budget too small for that is overdrawn, not answered with absurd
-// widths.
+// Many cells and a small budget: fewer and larger clouds, wider than the cells.
+TEST(Generalisation, DrawsAboutTheBudgetOverManyCells) {
+  for (const field::StatedLayer& layer : {test::cumulusLayer(), test::stratocumulusLayer()}) {
+    test::MadeSource source(0, 40, 0.1, 80, 80);
+    source.cover(layer);
+    const test::MadeTable made(source, test::usualOptions(20'000));
+    EXPECT_LT(drawn(made), 30'000);
+    EXPECT_GT(drawn(made), 10'000);
+  }
+}
+
+// A sheet of cells that are smaller than its elements covers all the same.
+TEST(Generalisation, SheetsOfSmallCellsDoNotVanish) {
+  test::MadeSource source(10, 46, 0.05, 1, 3);
+  source.cover(test::stratocumulusLayer(1));
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    Options options = test::usualOptions(20'000);
+    options.seed = seed;
+    EXPECT_FALSE(test::MadeTable(source, options).table.clouds.empty());
+  }
+}
+
 TEST(Generalisation, ABudgetThatCannotBeMetEnlargesNoFurtherThanItHelps) {
   const test::MadeTable made(heaps(), test::usualOptions(1));
   const double natural = naturalWidthMeters(test::usualOptions().recipes.of(base::Genus::Cumulus), 1000);
@@ -71,7 +91,7 @@ TEST(Generalisation, ASmallerBoxIsDrawnNearerToNature) {
   part.box = base::GeoBox{10.3, 46.3, 10.6, 46.6};
   const test::MadeTable small(heaps(), part);
   EXPECT_LT(small.general.enlargement, whole);
-  EXPECT_NEAR(drawn(small) / 50'000, 1, 0.25);
+  EXPECT_NEAR(drawn(small) / 50'000, 1, 0.4);
 }
 
 TEST(Generalisation, NoCloudsNeedNoBudget) {
