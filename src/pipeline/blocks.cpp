@@ -96,9 +96,9 @@ double evenChance(const Block& block, std::uint64_t seed) {
     const std::uint64_t quarter = (column & 1) | (row & 1) << 1;
     column >>= 1, row >>= 1;
     // Which quarter comes first is a matter of the square that they make up.
-    const std::uint64_t turn =
-        mixed(mixed(seed + 977u * static_cast<std::uint64_t>(level) + 31u * static_cast<std::uint64_t>(block.half)) ^
-              (column << 32 | row));
+    const std::uint64_t turn = mixed(mixed(seed + 977u * static_cast<std::uint64_t>(level) +
+                                           31u * static_cast<std::uint64_t>(block.half)) ^
+                                     (column << 32 | row));
     chance += step * static_cast<double>(quarter ^ (turn & 3));
   }
   return chance;

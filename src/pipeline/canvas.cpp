@@ -46,8 +46,8 @@ void Canvas::add(const PaintedCloud& cloud, double opticalDepth) {
   };
   const int firstColumn = first(cloud.place.x, pixel_.x), lastColumn = last(cloud.place.x, pixel_.x);
   for (int row = first(cloud.place.y, pixel_.y); row <= last(cloud.place.y, pixel_.y); ++row) {
-    float* const line = values_.data() + static_cast<std::size_t>(rowOf(row)) *
-                                             static_cast<std::size_t>(columns_);
+    float* const line =
+        values_.data() + static_cast<std::size_t>(rowOf(row)) * static_cast<std::size_t>(columns_);
     const double away = (row + 0.5) * pixel_.y - cloud.place.y;
     const double south = cloud.mirrored ? -away : away;
     int column = around(firstColumn, columns_);

@@ -19,9 +19,9 @@ struct PaintedCloud {
 };
 
 /// Optical depth seen from above over a rectangle. What leaves it is what the neighbour, which is taken to be
-/// alike, sends in at the other side, where it overlaps by chance. With mirrors it is thrown back at the first
-/// and the last row, where it overlaps what it came from: clumps that go on beyond the border do both, and
-/// the errors of either in the cover, of opposite sign, cancel.
+/// alike, sends in at the other side, where it overlaps by chance. With mirrors it is thrown back at the
+/// first and the last row, where it overlaps what it came from: clumps that go on beyond the border do both,
+/// and the errors of either in the cover, of opposite sign, cancel.
 class Canvas {
  public:
   Canvas(const glm::dvec2& sizeMeters, double pixelMeters, bool mirrors);

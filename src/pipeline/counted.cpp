@@ -36,8 +36,8 @@ std::vector<Candidate> scattered(const field::Grid& grid, const Layer& layer, in
     Candidate candidate;
     const double u = stream.uniform(), v = stream.uniform();
     candidate.place = field::pointIn(grid, layer.cell, u, v);
-    candidate.rank =
-        unevenness(candidate.place, 4 * widthMeters, layer.genus, seed) + clustering.chance * stream.gaussian();
+    candidate.rank = unevenness(candidate.place, 4 * widthMeters, layer.genus, seed) +
+                     clustering.chance * stream.gaussian();
     candidate.number = static_cast<std::uint32_t>(i);
     candidates.push_back(candidate);
   }

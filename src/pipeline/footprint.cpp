@@ -59,8 +59,7 @@ Footprint::Footprint(std::span<const shape::Puff> puffs, double widthMeters) {
            column <= pixelOf(shadow.x + acrossX - lower_.x, pixel.x); ++column) {
         const double dx = lower_.x + (column + 0.5) * pixel.x - shadow.x,
                      dz = lower_.y + (row + 0.5) * pixel.y - shadow.z;
-        const double q =
-            (shadow.zz * dx * dx - 2 * shadow.xz * dx * dz + shadow.xx * dz * dz) / determinant;
+        const double q = (shadow.zz * dx * dx - 2 * shadow.xz * dx * dz + shadow.xx * dz * dz) / determinant;
         values_[static_cast<std::size_t>(row * pixels_ + column)] +=
             static_cast<float>(peak * std::exp(-0.5 * q));
       }

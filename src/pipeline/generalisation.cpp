@@ -98,8 +98,8 @@ std::vector<double> puffsOfUnitWidth(const field::Grid& grid, std::span<const fi
     const auto [found, isNew] = alone.try_emplace({layer.genus, depthClass, aspectClass});
     // Threads cover next to nothing; a budget must not be spent on them alone.
     if (isNew)
-      found->second = std::max(
-          0.08, coveredAlone(layer.genus, std::exp2(aspectClass), std::exp2(depthClass), options));
+      found->second =
+          std::max(0.08, coveredAlone(layer.genus, std::exp2(aspectClass), std::exp2(depthClass), options));
     // Clouds overlap by chance, the more of them the higher the cover; those of sheets, in clumps of the
     // lattice, about half as much as they would without gaps.
     const double fraction = std::min(layer.fraction, 1.0f);
@@ -122,8 +122,7 @@ double enlarge(Generalisation& out, std::span<const field::Layer> layers, const 
         puffs += costs[i];
         continue;
       }
-      const double width =
-          meanWidthMeters(out, options.recipes.of(layers[i].genus), layers[i].depthMeters());
+      const double width = meanWidthMeters(out, options.recipes.of(layers[i].genus), layers[i].depthMeters());
       puffs += costs[i] / (width * width);
     }
     return puffs;

@@ -59,6 +59,11 @@ class Placer {
     threshold_ = std::min(kCoveringOpticalDepth, opticalDepth / 3);
     target_ = std::min(1.0, covered_ / (group.block.sizeMeters.x * group.block.sizeMeters.y));
     const field::Layer& first = context.layers[group.layers.front()];
+    // The elements of a full sheet reach beyond their places: where the sky beside it is clear, the outermost
+    // are left out, as far as the rest reaches.
+    if (recipe_.sheet && least_ >= kFullCover)
+      edge_ = 0.5 +
+              std::min(0.4, 0.6 * width_ / std::sqrt(field::cellAreaSquareMeters(context.grid, first.cell)));
     angle_ = field::axisAngle(context.grid, first.cell);
     mirrored_ = field::pointIn(context.grid, first.cell, 0.5, 0.9).latitudeDegrees >
                 field::pointIn(context.grid, first.cell, 0.5, 0.1).latitudeDegrees;
@@ -104,9 +109,9 @@ class Placer {
     candidate.cloud.baseMeters = static_cast<float>(here.baseMeters);
     candidate.cloud.depthMeters = static_cast<float>(here.topMeters - here.baseMeters);
     candidate.painted.place = glm::dvec2(u, v) * group_.block.sizeMeters;
-    candidate.rank = unevenness(point, recipe_.sheet ? width_ : 8 * width_, group_.genus,
-                                context_.options.seed) /
-                     kUnevennessDeviation;
+    candidate.rank =
+        unevenness(point, recipe_.sheet ? width_ : 8 * width_, group_.genus, context_.options.seed) /
+        kUnevennessDeviation;
     return candidate;
   }
 
@@ -118,8 +123,8 @@ class Placer {
     candidate.cloud.widthMeters = static_cast<float>(size.widthMeters);
     candidate.cloud.depthMeters = static_cast<float>(size.depthMeters);
     candidate.painted.widthMeters = size.widthMeters;
-    candidate.painted.footprint = &context_.footprints.of(shapeKeyOf(
-        layer, candidate.cloud.ordinal, size.depthMeters, size.widthMeters, context_.options));
+    candidate.painted.footprint = &context_.footprints.of(
+        shapeKeyOf(layer, candidate.cloud.ordinal, size.depthMeters, size.widthMeters, context_.options));
     const bool windy = recipe_.alongWind && std::hypot(layer.windEast, layer.windNorth) > 0.5;
     candidate.painted.turnRadians =
         (windy ? std::atan2(layer.windNorth, layer.windEast)
@@ -159,11 +164,15 @@ class Placer {
     std::vector<Candidate> candidates;
     for (std::uint32_t number = 0; number < places; ++number) {
       base::RandomStream stream = streamOf(number);
-      const double u = (number % static_cast<std::uint32_t>(columns) + 0.5 + 0.55 * (stream.uniform() - 0.5)) / columns,
-                   v = (number / static_cast<std::uint32_t>(columns) + 0.5 + 0.55 * (stream.uniform() - 0.5)) / rows;
+      const double u = (number % static_cast<std::uint32_t>(columns) + 0.5 +
+                        0.55 * (stream.uniform() - 0.5)) /
+                       columns,
+                   v = (number / static_cast<std::uint32_t>(columns) + 0.5 +
+                        0.55 * (stream.uniform() - 0.5)) /
+                       rows;
       double fraction = 0;
       auto candidate = candidateAt(u, v, number, fraction);
-      if (!candidate || fraction <= 0) continue;
+      if (!candidate || fraction <= edge_) continue;
       candidate->rank += probit(fraction) + 0.1 * stream.gaussian();
       candidates.push_back(std::move(*candidate));
     }
@@ -188,7 +197,7 @@ class Placer {
         continue;
       double fraction = 0;
       auto candidate = candidateAt(u, v, places + i, fraction);
-      if (!candidate || (fraction <= 0 && !taken_.empty())) continue;
+      if (!candidate || (fraction <= edge_ && !taken_.empty())) continue;
       take(std::move(*candidate));
       --more;
     }
@@ -196,11 +205,11 @@ class Placer {
 
   void addSeparate() {
     const double expected = covered_ / coveredSquareMeters(recipe_, width_);
-    const auto most = static_cast<std::uint32_t>(
-        std::min(8e6, 64 * (1 + expected / std::max(0.05, 1.02 - target_))));
+    const auto most =
+        static_cast<std::uint32_t>(std::min(8e6, 64 * (1 + expected / std::max(0.05, 1.02 - target_))));
     // Threads so thin that together they cannot cover what they should end somewhere.
-    const auto room = static_cast<std::size_t>(
-        8 + 40 * target_ * group_.block.sizeMeters.x * group_.block.sizeMeters.y / (width_ * width_));
+    const auto room = static_cast<std::size_t>(8 + 40 * target_ * group_.block.sizeMeters.x *
+                                                       group_.block.sizeMeters.y / (width_ * width_));
     for (std::uint32_t number = 0; number < most; ++number) {
       base::RandomStream stream = streamOf(number);
       const double u = stream.uniform(), v = stream.uniform(), chance = stream.uniform();
@@ -208,7 +217,8 @@ class Placer {
       auto candidate = candidateAt(u, v, number, fraction);
       if (!candidate) continue;
       // A field thins out towards its border, where its neighbours are clearer, so that it is no square.
-      const double inner = std::min(1.0, fraction / most_), favour = 1 / (1 + std::exp(-2.5 * candidate->rank));
+      const double inner = std::min(1.0, fraction / most_),
+                   favour = 1 / (1 + std::exp(-2.5 * candidate->rank));
       if (chance >= inner * inner * favour && !(taken_.empty() && number > most / 2)) continue;
       // Where clouds are many they stand beside each other rather than in each other.
       if (target_ > 0.25 && canvas_->at(candidate->painted.place) > paintedThreshold()) continue;
@@ -282,6 +292,7 @@ class Placer {
   const shape::Recipe& recipe_;
   double covered_ = 0, water_ = 0;  ///< square metres; and times optical depth
   double width_ = 0, threshold_ = 0, target_ = 0, least_ = 1, most_ = 0, angle_ = 0, painted_ = 0;
+  double edge_ = 0;  ///< the fraction at a place that an element of a full sheet wants
   bool mirrored_ = false;
   std::map<std::uint32_t, std::uint32_t> byCell_;
   std::map<std::uint32_t, LayerAround> around_;

@@ -144,9 +144,9 @@ scene::Scene produce(const field::CloudTable& table, const Origin& origin, const
     const field::Cloud& cloud = table.clouds[i];
     const scene::Archetype& archetype = scene.archetypes[scene.lit[instance.lit].archetype];
     instance.scale = cloud.depthMeters / archetype.depthMeters;
-    instance.opticalDepthFactor = static_cast<float>(
-        cloud.opticalDepth * shape::footprintSquareMeters(cloud.widthMeters) /
-        (waterOf[scene.lit[instance.lit].archetype] * instance.scale * instance.scale));
+    instance.opticalDepthFactor =
+        static_cast<float>(cloud.opticalDepth * shape::footprintSquareMeters(cloud.widthMeters) /
+                           (waterOf[scene.lit[instance.lit].archetype] * instance.scale * instance.scale));
   }
   return scene;
 }

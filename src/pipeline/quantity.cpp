@@ -15,8 +15,7 @@ void placeClouds(const field::Grid& grid, const Options& options, const Generali
       if (box.contains(cloud.longitudeDegrees, cloud.latitudeDegrees)) table.clouds.push_back(cloud);
   };
   for (std::uint32_t index = 0; index < table.layers.size(); ++index)
-    if (table.layers[index].cloudCount > 0)
-      keep(countedClouds(grid, options, table.layers[index], index));
+    if (table.layers[index].cloudCount > 0) keep(countedClouds(grid, options, table.layers[index], index));
 
   const std::vector<LayerGroup> groups = groupLayers(grid, general, table.layers);
   const Surroundings surroundings(grid, table.layers);

@@ -13,8 +13,8 @@
 
 namespace cloudgen::test {
 
-/// A scene seen from straight above: optical depth along rays through the points of a raster. Knows nothing of how the
-/// clouds came about.
+/// A scene seen from straight above: optical depth along rays through the points of a raster. Knows nothing
+/// of how the clouds came about.
 struct PaintedSky {
   int columns = 0, rows = 0;
   double pixelMeters = 0;
@@ -24,7 +24,8 @@ struct PaintedSky {
   PaintedSky(const scene::Scene& scene, double pixel, std::optional<base::Genus> genus = {})
       : pixelMeters(pixel), lower_(scene.frame.lowerCorner()) {
     const glm::dvec2 size = scene.frame.upperCorner() - lower_;
-    columns = std::max(1, static_cast<int>(size.x / pixel)), rows = std::max(1, static_cast<int>(size.y / pixel));
+    columns = std::max(1, static_cast<int>(size.x / pixel)),
+    rows = std::max(1, static_cast<int>(size.y / pixel));
     opticalDepth.assign(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), 0);
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
       if (genus && scene.clouds[i].genus != *genus) continue;
@@ -72,7 +73,8 @@ struct PaintedSky {
     double xx = 0, zz = 0, xz = 0;
     for (int k = 0; k < 3; ++k) {
       const double s = puff.sigma[k];
-      xx += s * s * axes[k].x * axes[k].x, zz += s * s * axes[k].z * axes[k].z, xz += s * s * axes[k].x * axes[k].z;
+      xx += s * s * axes[k].x * axes[k].x, zz += s * s * axes[k].z * axes[k].z,
+          xz += s * s * axes[k].x * axes[k].z;
     }
     const double det = xx * zz - xz * xz;
     const double peak = shape::extinctionArea(puff) / (2 * std::numbers::pi * std::sqrt(det));

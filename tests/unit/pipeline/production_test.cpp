@@ -36,8 +36,8 @@ test::MadeSource mixedSky() {
 
 Produced produced(const test::MadeSource& source, const Options& options) {
   test::MadeTable made(source, options);
-  scene::Scene scene =
-      produce(made.table, locateOrigin(source, source.grid(), options), options, made.general, source.info().validTime, {});
+  scene::Scene scene = produce(made.table, locateOrigin(source, source.grid(), options), options,
+                               made.general, source.info().validTime, {});
   return {std::move(made), std::move(scene)};
 }
 
@@ -159,8 +159,9 @@ TEST(Production, StopsWhenTheUserWants) {
   const test::MadeTable made(source, options);
   base::Progress progress;
   progress.cancelled = [] { return true; };
-  EXPECT_THROW(produce(made.table, locateOrigin(source, source.grid(), options), options, made.general, {}, progress),
-               base::InterruptedError);
+  EXPECT_THROW(
+      produce(made.table, locateOrigin(source, source.grid(), options), options, made.general, {}, progress),
+      base::InterruptedError);
 }
 
 }  // namespace
