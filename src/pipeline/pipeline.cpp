@@ -24,8 +24,8 @@ Cells withNeighbours(const field::Grid& grid, const Cells& cells) {
   Cells around = cells;
   for (const std::uint32_t cell : cells) {
     const std::vector<std::uint32_t> next = field::neighbours(grid, cell);
-    if (std::includes(cells.begin(), cells.end(), next.begin(), next.end())) continue;
-    around.insert(around.end(), next.begin(), next.end());
+    for (const std::uint32_t beside : next)
+      if (!std::binary_search(cells.begin(), cells.end(), beside)) around.push_back(beside);
   }
   std::sort(around.begin(), around.end());
   around.erase(std::unique(around.begin(), around.end()), around.end());
