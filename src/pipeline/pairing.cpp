@@ -249,11 +249,6 @@ std::optional<std::uint32_t> middleCell(const field::Grid& grid, const base::Geo
   return field::CellFinder(grid).at({box.centerLongitude(), box.centerLatitude()});
 }
 
-double middleCellArea(const field::Grid& grid, const base::GeoBox& box) {
-  const auto cell = middleCell(grid, box);
-  return cell ? field::cellAreaSquareMeters(grid, *cell) : 0;
-}
-
 double longestSideMeters(const field::Grid& grid, const base::GeoBox& box) {
   const auto cell = middleCell(grid, box);
   if (!cell) return 0;
@@ -263,9 +258,23 @@ double longestSideMeters(const field::Grid& grid, const base::GeoBox& box) {
 
 }  // namespace
 
-bool typingIsFiner(const field::Grid& model, const field::Grid& typing, const base::GeoBox& box) {
-  const double area = middleCellArea(typing, box);
-  return area > 0 && area < middleCellArea(model, box);
+Overlay overlayOf(const field::Grid& model, const field::Grid& typing, const base::GeoBox& box) {
+  constexpr int kPlaces = 32;
+  const field::CellFinder inModel(model), inTyping(typing);
+  double places = 0, typed = 0, modelArea = 0, typingArea = 0;
+  for (int row = 0; row < kPlaces; ++row)
+    for (int column = 0; column < kPlaces; ++column) {
+      const field::GeoPoint place{base::wrappedLongitude(box.west + box.width() * (column + 0.5) / kPlaces),
+                                  box.south + box.height() * (row + 0.5) / kPlaces};
+      const auto own = inModel.at(place), theirs = inTyping.at(place);
+      if (!own) continue;
+      ++places;
+      if (!theirs) continue;
+      ++typed;
+      modelArea += field::cellAreaSquareMeters(model, *own);
+      typingArea += field::cellAreaSquareMeters(typing, *theirs);
+    }
+  return {places > 0 ? typed / places : 0, typed > 0 && typingArea < modelArea};
 }
 
 base::GeoBox grownBox(const field::Grid& model, const field::Grid& typing, const base::GeoBox& box) {

@@ -28,9 +28,16 @@ struct PairedLayers {
   Pairing pairing;
 };
 
-/// True where the typing's cells are smaller than the model's about the middle of the box: layers then stand
-/// in the typing's cells, else in the model's.
-bool typingIsFiner(const field::Grid& model, const field::Grid& typing, const base::GeoBox& box);
+/// How two grids lie to each other in a box, by a lattice of 32 x 32 places where the model has a cell.
+struct Overlay {
+  double typedShare = 0;     ///< of these places lie in a cell of the typing
+  bool typingFiner = false;  ///< its cells are smaller there, on the mean
+
+  /// Layers stand in the typing's cells where they are finer and all there; else in the model's, so that no
+  /// cloud of the model is lost where the typing has nothing.
+  bool standOnTyping() const { return typingFiner && typedShare == 1; }
+};
+Overlay overlayOf(const field::Grid& model, const field::Grid& typing, const base::GeoBox& box);
 
 /// The box grown by the larger of both grids' cells, so that what happens at its border does not depend on
 /// the crop; at most the whole Earth.

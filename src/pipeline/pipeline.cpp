@@ -66,7 +66,8 @@ Outcome run(const field::Source& source, const Options& options, const base::Pro
   progress.step("origin", 0);
   const field::Source* const typing = options.typing;
   const base::GeoBox wanted = options.box.value_or(field::extent(source.grid()));
-  const bool typingFiner = typing && typingIsFiner(source.grid(), typing->grid(), wanted);
+  const Overlay overlay = typing ? overlayOf(source.grid(), typing->grid(), wanted) : Overlay{};
+  const bool typingFiner = overlay.standOnTyping();
   const field::Grid& grid = typingFiner ? typing->grid() : source.grid();
   Origin origin = locateOrigin(source, grid, options);
   const base::GeoBox& box = origin.frame.box();
@@ -98,6 +99,11 @@ Outcome run(const field::Source& source, const Options& options, const base::Pro
   outcome.scene.provenance = {fileNames(source.info().files), source.info().format, source.info().model,
                               source.info().run ? base::isoText(*source.info().run) : std::string()};
   for (const field::Warning& warning : source.info().warnings) outcome.warnings.push_back(warning.text);
+  if (typing && overlay.typedShare < 1)
+    outcome.warnings.push_back(fmt::format(
+        "the typing covers {:.0f} % of the box: clouds stand in the model's cells, and where it has "
+        "nothing they are typed by rule; take a --bbox inside it for its own detail",
+        100 * overlay.typedShare));
   if (typing)
     for (const field::Warning& warning : typing->info().warnings)
       outcome.warnings.push_back("typing: " + warning.text);

@@ -58,10 +58,30 @@ std::vector<std::uint32_t> childrenOfFirst() {
   return cells;
 }
 
-TEST(Pairing, TheFinerGridIsTaken) {
+TEST(Pairing, TheFinerGridIsTakenWhereItIsAllThere) {
   const base::GeoBox box{10, 40, 12, 42};
-  EXPECT_TRUE(typingIsFiner(kCoarse, kFine, box));
-  EXPECT_FALSE(typingIsFiner(kFine, kCoarse, box));
+  EXPECT_TRUE(overlayOf(kCoarse, kFine, box).standOnTyping());
+  EXPECT_FALSE(overlayOf(kFine, kCoarse, box).standOnTyping());
+  field::Grid half = kFine;
+  half.columns = 4;
+  EXPECT_DOUBLE_EQ(overlayOf(kCoarse, half, box).typedShare, 0.5);
+  EXPECT_FALSE(overlayOf(kCoarse, half, box).standOnTyping());
+}
+
+TEST(Pairing, CloudsOfTheModelStayWhereTheTypingHasNothing) {
+  test::MadeSource model(10, 40, 1, 4, 4), typing(10, 40, 0.25, 8, 16);
+  field::StatedLayer water = test::cumulusLayer();
+  water.genus.reset();
+  model.cover(water);
+  typing.cover(test::stratocumulusLayer());
+  Options options = test::usualOptions(20'000);
+  options.typing = &typing;
+  const Outcome outcome = run(model, options, {});
+  EXPECT_EQ(outcome.layers, 16u);
+  EXPECT_EQ(outcome.pairing->modelAlone, 8u);
+  EXPECT_TRUE(std::any_of(outcome.warnings.begin(), outcome.warnings.end(), [](const std::string& warning) {
+    return warning.find("covers 50 % of the box") != std::string::npos;
+  }));
 }
 
 TEST(Pairing, AFinerTypingSharesTheModelsCoverAndKeepsIt) {
