@@ -119,7 +119,8 @@ std::vector<Known> knownAs(const std::filesystem::path& path) {
 std::unique_ptr<field::Source> open(const std::vector<std::filesystem::path>& files,
                                     const OpenOptions& options) {
   if (files.empty())
-    throw base::UsageError("input", "no file is named", "name a GRIB file or a described sky");
+    throw base::UsageError("input", "no file is named",
+                           "name model output, a cloud analysis, reports or a described sky");
   std::vector<Known> known;
   for (const auto& file : files)
     for (Known& one : knownAs(file)) known.push_back(std::move(one));

@@ -73,11 +73,12 @@ std::vector<RawReport> findReports(std::string_view text) {
     if (i + 1 < words.size() && !words[i].ends && beginsReport(word, words[i + 1].text)) {
       within = !forecast && !(i + 2 < words.size() && isPeriod(words[i + 2].text));
       forecast = false;
-      if (within) reports.push_back({{}, words[i].line, near});
+      if (within) reports.push_back({{}, words[i].line, false, near});
     }
     if (!within) continue;
     if (reports.back().groups.size() < kMostGroups) reports.back().groups.push_back(word);
     within = !words[i].ends;
+    reports.back().ended = words[i].ends;
   }
   return reports;
 }

@@ -13,6 +13,7 @@ namespace cloudgen::input {
 struct RawReport {
   std::vector<std::string_view> groups;  ///< station first; at most 100
   std::size_t line = 1;
+  bool ended = false;  ///< by "="
   std::optional<base::UtcTime>
       near;  ///< a moment that its day of the month is nearest to, where the text has one
 };

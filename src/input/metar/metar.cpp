@@ -2,6 +2,7 @@
 #include "input/metar/metar.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
@@ -37,6 +38,7 @@ struct Observation {
 struct Gathering {
   std::vector<Observation> observations;
   std::size_t unreadable = 0, unreadableLine = 0, noSky = 0;
+  std::vector<std::string> cutOff;  ///< where reports break off
   std::set<std::string> unknown, withoutElevation;
   bool monthAssumed = false;
 };
@@ -98,7 +100,14 @@ Gathering gatherAll(const std::vector<MetarText>& texts, const StationTable& sta
       }
       continue;
     }
-    for (const RawReport& raw : findReports(file.text))
+    std::vector<RawReport> reports = findReports(file.text);
+    // Where reports end with "=", a last one that does not was cut off: half a group is another group.
+    const auto ends = [](const RawReport& raw) { return raw.ended; };
+    if (!reports.empty() && !reports.back().ended && std::any_of(reports.begin(), reports.end(), ends)) {
+      all.cutOff.push_back(fmt::format("{}, line {}", file.name, reports.back().line));
+      reports.pop_back();
+    }
+    for (const RawReport& raw : reports)
       gather(all, raw, std::nullopt, raw.near ? raw.near : (named ? named : options.time), std::nullopt,
              stations);
   }
@@ -134,6 +143,10 @@ void warn(field::SourceInfo& info, const Gathering& all) {
     info.warnings.push_back(
         {"unreadable_report", fmt::format("{} report{} cannot be read, the first at line {}", all.unreadable,
                                           all.unreadable == 1 ? "" : "s", all.unreadableLine)});
+  if (!all.cutOff.empty())
+    info.warnings.push_back(
+        {"report_cut_off", fmt::format("the text breaks off in its last report, which is left out ({})",
+                                       fmt::join(all.cutOff, "; "))});
   if (all.noSky > 0)
     info.warnings.push_back(
         {"sky_not_reported",

@@ -291,5 +291,14 @@ TEST(Metar, RealBulletinWholeAndCut) {
   }
 }
 
+TEST(Metar, AReportThatBreaksOffIsLeftOutAndSaid) {
+  const std::string whole = "METAR KMIA 081353Z 10SM BKN020=\nMETAR KDEN 081353Z 10SM OVC080=\n";
+  EXPECT_FALSE(warns(*read(whole), "report_cut_off"));
+  const auto cut = read(whole.substr(0, whole.size() - 4));
+  EXPECT_TRUE(warns(*cut, "report_cut_off"));
+  EXPECT_LT(layersOf(*cut).size(), layersOf(*read(whole)).size());
+  EXPECT_FALSE(warns(*read("METAR KMIA 081353Z 10SM BKN020"), "report_cut_off")) << "a line by hand";
+}
+
 }  // namespace
 }  // namespace cloudgen::input
