@@ -4,7 +4,6 @@
 
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <numeric>
 
 #include "base/time.hpp"
 #include "cli/command.hpp"
@@ -30,8 +29,7 @@ struct Survey {
 };
 
 Survey surveyOf(const field::Source& source) {
-  std::vector<std::uint32_t> cells(source.grid().size());
-  std::iota(cells.begin(), cells.end(), 0u);
+  const std::vector<std::uint32_t> cells = field::everyCell(source.grid());
   Survey survey;
   field::ValueTraps traps;
   if (source.telling() == field::Telling::Levels)

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "field/curvilinear.hpp"
 #include "field/grid_plane.hpp"
@@ -24,6 +25,12 @@ int Grid::row(std::uint32_t index) const {
     return static_cast<int>(next - reducedRows.begin()) - 1;
   }
   return static_cast<int>(index / static_cast<std::uint32_t>(columns));
+}
+
+std::vector<std::uint32_t> everyCell(const Grid& grid) {
+  std::vector<std::uint32_t> cells(grid.size());
+  std::iota(cells.begin(), cells.end(), 0u);
+  return cells;
 }
 
 GeoPoint pointIn(const Grid& grid, std::uint32_t cell, double u, double v) {

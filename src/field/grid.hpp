@@ -61,6 +61,9 @@ struct Grid {
   int row(std::uint32_t index) const;
 };
 
+/// 0 .. size - 1: to ask a source for all it has.
+std::vector<std::uint32_t> everyCell(const Grid& grid);
+
 /// Geographic position in a cell: (0.5, 0.5) is its centre, (0, 0) the corner towards column 0 and row 0.
 /// Longitude in [-180, 180); latitude clamped to the poles.
 GeoPoint pointIn(const Grid& grid, std::uint32_t cell, double u, double v);

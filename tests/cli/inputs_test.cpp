@@ -154,6 +154,21 @@ TEST(Inputs, TypingDecidesTheGenera) {
     EXPECT_TRUE(genus == "Sc" || genus == "As" || genus == "Ci") << genus;
 }
 
+/// Of a typing of several hours the one nearest to the model is taken.
+TEST(Inputs, TheNearestHourOfATypingIsTaken) {
+  Scratch folder;
+  const std::string model = folder.write("model.sky.json", R"({
+    "cloudgen_sky": 1, "valid_time": "2026-06-21T13:00:00Z", "bbox": [24.8, 60.1, 25.1, 60.25],
+    "layers": [{"genus": "Cu", "cover": 0.4, "base_m": 1200, "top_m": 2400, "optical_depth": 10}]})");
+  const Ran ran =
+      runCloudgen({"build", model, "--typing", example("helsinki.weather.json"), "-o",
+                   folder.path() / "scene", "--json", "--formats", "splats", "--max-puffs", "5000"});
+  ASSERT_EQ(ran.exitCode, 0) << ran.err;
+  const json typing = json::parse(ran.out).at("typing");
+  EXPECT_EQ(typing.at("valid_time"), "2026-06-21T12:00:00Z");
+  EXPECT_EQ(typing.at("minutes_after_model"), -60);
+}
+
 TEST(Inputs, WeatherCodesOfTheExample) {
   Scratch folder;
   const Ran ran = runCloudgen({"build", example("helsinki.weather.json"), "--time", "2026-06-21T12:00Z", "-o",

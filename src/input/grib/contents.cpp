@@ -72,7 +72,7 @@ struct Stored {
 /// A field with what decides whether it is kept.
 struct Found {
   Field field;
-  bool average = false, reserve = false;
+  bool reserve = false;
 };
 
 class Reading {
@@ -128,7 +128,7 @@ class Reading {
     found.field.meaning = meaning->what;
     found.reserve = meaning->reserve;
     const auto* single = std::get_if<Single>(&meaning->what);
-    if (found.average && !single) return;
+    if (found.field.averaged && !single) return;
     if (single && single->kind == SingleKind::SurfaceHeight) found.field.valid.reset();
     found.field.read = [stored = stored(head, meaning->conversion, found.field.grid)](
                            std::span<const std::uint32_t> cells) { return stored.at(cells); };
@@ -160,7 +160,7 @@ class Reading {
     const bool wind = parameter.what == What::WindEast || parameter.what == What::WindNorth;
     field.alongGridAxes = wind && windsAlongAxes(head);
     field.grid = gridIndex(head);
-    found.average = product.span == Span::Average;
+    field.averaged = product.span == Span::Average;
     return found;
   }
 
@@ -256,44 +256,16 @@ class Reading {
       return Key{std::get<Single>(field.meaning), field.valid ? field.valid->seconds : 0, field.member,
                  field.grid};
     };
-    const auto rank = [](const Found& found) { return 2 * found.average + found.reserve; };
+    const auto rank = [](const Found& found) { return 2 * found.field.averaged + found.reserve; };
     std::map<Key, int> best;
     for (const Found& found : fields_)
       if (std::holds_alternative<Single>(found.field.meaning)) {
         const auto [place, isNew] = best.emplace(keyOf(found), rank(found));
         place->second = std::min(place->second, rank(found));
       }
-    std::set<std::string> averaged;
-    for (Found& found : fields_) {
-      const auto* single = std::get_if<Single>(&found.field.meaning);
-      if (single && rank(found) > best.at(keyOf(found))) continue;
-      if (single && single->kind == SingleKind::CloudCover && found.average)
-        averaged.insert(found.field.name);
-      contents_.fields.push_back(std::move(found.field));
-    }
-    if (!averaged.empty() && !tellsCloudsByLevels())
-      contents_.warnings.push_back(
-          {"averaged_cover",
-           fmt::format(
-               "cloud cover ({}) is an average over the hours before its valid time, not of a moment: "
-               "it is smoother than any sky was",
-               fmt::join(averaged, ", "))});
-  }
-
-  /// Whether cover is of no account, since water or humidity on many levels tells more.
-  bool tellsCloudsByLevels() const {
-    constexpr std::size_t kMany = 8;
-    std::set<double> humid;
-    for (const Field& field : contents_.fields) {
-      const auto* quantity = std::get_if<Quantity>(&field.meaning);
-      if (!quantity) continue;
-      if (*quantity == Quantity::CloudCondensate || *quantity == Quantity::CloudLiquid ||
-          *quantity == Quantity::CloudIce)
-        return true;
-      if (*quantity == Quantity::RelativeHumidity || *quantity == Quantity::SpecificHumidity)
-        humid.insert(field.vertical.value);
-    }
-    return humid.size() >= kMany;
+    for (Found& found : fields_)
+      if (!std::holds_alternative<Single>(found.field.meaning) || rank(found) == best.at(keyOf(found)))
+        contents_.fields.push_back(std::move(found.field));
   }
 
   /// The first few names of what a file holds that is of no use.

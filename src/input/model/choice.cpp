@@ -218,6 +218,43 @@ void addLevelField(const Field& field, Quantity quantity, Choice& choice, std::s
   if (!level.fields.emplace(quantity, field).second) ++repeated;
 }
 
+/// Of a model with levels the single fields tell the ground, and where humidity makes the clouds, their base
+/// and top.
+bool isUsed(const Single& single, Basis basis) {
+  switch (single.kind) {
+    case SingleKind::CloudBaseHeight:
+    case SingleKind::CloudTopHeight:
+    case SingleKind::CloudBasePressure:
+    case SingleKind::CloudTopPressure:
+      return basis == Basis::Cover || (basis == Basis::Humidity && single.part == CloudPart::Total);
+    case SingleKind::CloudCover:
+      return basis == Basis::Cover;
+    default:
+      return true;
+  }
+}
+
+/// Parts with what is of no use to the basis, and says what is not of a moment.
+void keepUsed(Choice& choice) {
+  std::set<std::string> averaged;
+  std::erase_if(choice.singles, [&](const auto& entry) {
+    const auto& [single, field] = entry;
+    if (!isUsed(single, choice.basis)) {
+      choice.unused.push_back(
+          fmt::format("{}: {} (clouds are taken from the levels)", singleName(single), field.name));
+      return true;
+    }
+    if (field.averaged && single.kind == SingleKind::CloudCover) averaged.insert(singleName(single));
+    return false;
+  });
+  if (!averaged.empty())
+    choice.warnings.push_back(
+        {"averaged_cover",
+         fmt::format("{}: an average over the hours before its valid time, not of a moment; it is "
+                     "smoother than any sky was",
+                     fmt::join(averaged, ", "))});
+}
+
 }  // namespace
 
 bool Choice::has(Quantity quantity) const {
@@ -267,6 +304,7 @@ Choice choose(const Contents& contents, const OpenOptions& options) {
     choice.warnings.push_back(
         {"one_condensate",
          fmt::format("{} is liquid and ice in one field: it is split by temperature", leading.name)});
+  keepUsed(choice);
   return choice;
 }
 

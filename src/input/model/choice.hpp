@@ -31,7 +31,8 @@ struct Choice {
   std::vector<base::UtcTime> validTimes;
   std::size_t grid = 0;
   std::vector<ChosenLevel> levels;  ///< from the ground upwards
-  std::map<Single, Field> singles;
+  std::map<Single, Field> singles;  ///< that clouds or ground are taken from
+  std::vector<std::string> unused;  ///< other fields of the choice, one line each
   std::vector<field::Warning> warnings;
 
   bool has(field::Quantity quantity) const;
@@ -44,9 +45,6 @@ Choice choose(const Contents& contents, const OpenOptions& options);
 
 /// "cloud condensate: clwmr on 21 pressure levels, 1000 to 100 hPa": one line a quantity.
 std::vector<std::string> fieldLines(const Choice& choice);
-
-/// Fields of the choice that clouds are not taken from, one line each.
-std::vector<std::string> unusedLines(const Choice& choice);
 
 /// "low cloud base pressure".
 std::string singleName(const Single& single);

@@ -51,22 +51,6 @@ bool hasHumidity(const ChosenLevel& level) {
          level.fields.contains(Quantity::SpecificHumidity);
 }
 
-/// Of a model with levels the single fields tell the ground, and where humidity makes the clouds, their base
-/// and top.
-bool isUsed(const Single& single, Basis basis) {
-  switch (single.kind) {
-    case SingleKind::CloudBaseHeight:
-    case SingleKind::CloudTopHeight:
-    case SingleKind::CloudBasePressure:
-    case SingleKind::CloudTopPressure:
-      return basis == Basis::Cover || (basis == Basis::Humidity && single.part == CloudPart::Total);
-    case SingleKind::CloudCover:
-      return basis == Basis::Cover;
-    default:
-      return true;
-  }
-}
-
 }  // namespace
 
 std::string singleName(const Single& single) {
@@ -125,16 +109,7 @@ std::vector<std::string> fieldLines(const Choice& choice) {
                                 unitOf(lowest.kind).empty() ? "" : " ", unitOf(lowest.kind)));
   }
   for (const auto& [single, field] : choice.singles)
-    if (isUsed(single, choice.basis)) lines.push_back(fmt::format("{}: {}", singleName(single), field.name));
-  return lines;
-}
-
-std::vector<std::string> unusedLines(const Choice& choice) {
-  std::vector<std::string> lines;
-  for (const auto& [single, field] : choice.singles)
-    if (!isUsed(single, choice.basis))
-      lines.push_back(
-          fmt::format("{}: {} (clouds are taken from the levels)", singleName(single), field.name));
+    lines.push_back(fmt::format("{}: {}", singleName(single), field.name));
   return lines;
 }
 

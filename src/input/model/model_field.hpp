@@ -65,6 +65,7 @@ struct Field {
   std::optional<base::UtcTime> run;
   long member = 0;                     ///< of an ensemble
   std::size_t grid = 0;                ///< index in Contents::grids
+  bool averaged = false;               ///< over hours before the valid time, not of a moment
   bool inPercent = false;              ///< fractions whose unit is said to be per cent: read() gives per cent
   bool alongGridAxes = false;          ///< winds that are not yet towards true east and north
   bool holdsIceBelowFreezing = false;  ///< liquid water that is ice where T < 0 C (WRF's WSM3)

@@ -7,7 +7,6 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "field/standard_atmosphere.hpp"
 #include "input/model/choice.hpp"
@@ -43,7 +42,7 @@ class ModelSource : public field::Source {
     info_.levels = levelList(choice_);
     info_.fields = fieldLines(choice_);
     info_.unused = contents.unused;
-    for (const std::string& line : unusedLines(choice_)) info_.unused.push_back(line);
+    info_.unused.insert(info_.unused.end(), choice_.unused.begin(), choice_.unused.end());
     info_.missing = missingLines(choice_);
   }
 
@@ -232,17 +231,11 @@ class ModelSource : public field::Source {
   }
 
   double meanOf(const Field& field) const {
-    const std::vector<std::uint32_t> all = everyCell();
+    const std::vector<std::uint32_t> all = field::everyCell(grid_);
     double sum = 0, count = 0;
     for (const float value : field.read(all))
       if (std::isfinite(value)) sum += value, ++count;
     return sum / count;
-  }
-
-  std::vector<std::uint32_t> everyCell() const {
-    std::vector<std::uint32_t> all(grid_.size());
-    std::iota(all.begin(), all.end(), 0u);
-    return all;
   }
 
   void settleCoverScale() {
@@ -253,7 +246,7 @@ class ModelSource : public field::Source {
     if (choice_.basis == Basis::Cover)
       for (const auto& [single, field] : choice_.singles)
         if (single.kind == SingleKind::CloudCover) covers.push_back(&field);
-    const CoverScale scale = coverScale(covers, grid_.size());
+    const CoverScale scale = coverScale(covers, grid_);
     coverFactor_ = scale.perCent ? 0.01f : 1.0f;
     take(scale.warnings);
   }
@@ -267,7 +260,7 @@ class ModelSource : public field::Source {
       if (!height && !pressure) continue;
       std::size_t negative = 0;
       float least = 0;
-      for (const float value : field.read(everyCell()))
+      for (const float value : field.read(field::everyCell(grid_)))
         if (value < 0) ++negative, least = std::min(least, value);
       if (negative)
         info_.warnings.push_back(

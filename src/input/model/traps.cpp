@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "base/text.hpp"
 
@@ -22,12 +21,11 @@ std::optional<double> sphereRadius(const std::string& crs) {
 
 }  // namespace
 
-CoverScale coverScale(const std::vector<const Field*>& covers, std::uint32_t gridSize) {
+CoverScale coverScale(const std::vector<const Field*>& covers, const field::Grid& grid) {
   constexpr double kRounding = 1.01, kSurelyPerCent = 2.0;
   CoverScale scale;
   if (covers.empty()) return scale;
-  std::vector<std::uint32_t> all(gridSize);
-  std::iota(all.begin(), all.end(), 0u);
+  const std::vector<std::uint32_t> all = field::everyCell(grid);
   for (const Field* cover : covers) {
     for (const float value : cover->read(all))
       if (value > scale.greatest) scale.greatest = value;

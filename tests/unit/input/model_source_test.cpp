@@ -19,15 +19,10 @@ using testing::Contains;
 using testing::ElementsAre;
 using testing::Not;
 
-std::vector<std::uint32_t> everyCell(const field::Source& source) {
-  std::vector<std::uint32_t> cells(source.grid().size());
-  std::iota(cells.begin(), cells.end(), 0u);
-  return cells;
-}
-
 std::vector<field::Level> levelsOf(const field::Source& source) {
   std::vector<field::Level> levels;
-  source.visitLevels(everyCell(source), [&](const field::Level& level) { levels.push_back(level); });
+  source.visitLevels(field::everyCell(source.grid()),
+                     [&](const field::Level& level) { levels.push_back(level); });
   return levels;
 }
 
@@ -170,7 +165,7 @@ TEST(Traps, HeightsAboveTheGroundAreToldApart) {
   const auto source = makeSource(made.contents, {});
   EXPECT_THAT(warningIds(*source), Contains("heights_above_ground"));
   EXPECT_FLOAT_EQ(levelsOf(*source)[1].of(Quantity::HeightAboveGround)[0], 500);
-  EXPECT_FLOAT_EQ(source->surface(everyCell(*source)).heightMeters[0], 800);
+  EXPECT_FLOAT_EQ(source->surface(field::everyCell(source->grid())).heightMeters[0], 800);
 }
 
 TEST(Traps, NegativeCloudBaseMeansNoCloud) {
@@ -179,7 +174,7 @@ TEST(Traps, NegativeCloudBaseMeansNoCloud) {
   made.single(SingleKind::CloudTopHeight, 6000);
   const auto source = makeSource(made.contents, {});
   EXPECT_THAT(warningIds(*source), Contains("negative_cloud_height"));
-  const field::Surface surface = source->surface(everyCell(*source));
+  const field::Surface surface = source->surface(field::everyCell(source->grid()));
   EXPECT_TRUE(std::isnan(surface.cloudBaseMeters[0]));
   EXPECT_FLOAT_EQ(surface.cloudTopMeters[0], 6000);
 }

@@ -68,14 +68,8 @@ inline input::model::Contents contentsOf(const NetcdfFile& file, const input::Op
   return input::netcdf::readContents({path}, options);
 }
 
-inline std::vector<std::uint32_t> everyCell(const field::Grid& grid) {
-  std::vector<std::uint32_t> cells(grid.size());
-  std::iota(cells.begin(), cells.end(), 0u);
-  return cells;
-}
-
 inline std::vector<float> read(const input::model::Contents& contents, const input::model::Field& field) {
-  return field.read(everyCell(contents.grids.at(field.grid)()));
+  return field.read(field::everyCell(contents.grids.at(field.grid)()));
 }
 
 inline std::vector<const input::model::Field*> fieldsOf(const input::model::Contents& contents,

@@ -194,7 +194,7 @@ TEST(NetcdfGrid, CellsKnownByTheirPlacesAlone) {
     const auto contents = input::netcdf::readContents({scratch.path() / "made.nc"}, {});
     const field::Grid grid = contents.grids.at(0)();
     ASSERT_EQ(grid.centers.size(), 12u);
-    const auto values = contents.fields.at(0).read(test::everyCell(grid));
+    const auto values = contents.fields.at(0).read(field::everyCell(grid));
     for (std::uint32_t cell = 0; cell < 12; ++cell) {
       // The value tells column and row as the writer saw them.
       const int place = static_cast<int>(std::lround(values[cell] * 1e6)) - 1;

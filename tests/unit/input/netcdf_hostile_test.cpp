@@ -63,7 +63,7 @@ TEST(NetcdfHostile, EveryByteFlippedIsReadOrRefused) {
       try {
         const auto source = input::openNetcdf({path}, {});
         if (source->grid().size() < 1000)
-          source->visitLevels(test::everyCell(source->grid()), [](const field::Level&) {});
+          source->visitLevels(field::everyCell(source->grid()), [](const field::Level&) {});
       } catch (const base::InputError&) {
       }
     }
