@@ -8,6 +8,7 @@
 
 #include "check/fidelity/height_profile.hpp"
 #include "field/collect.hpp"
+#include "field/overlap.hpp"
 
 namespace cloudgen::check {
 namespace {
@@ -114,22 +115,23 @@ double levelThickness(const std::vector<ModelLayer>& layers) {
 void describe(const std::vector<ModelLayer>& layers, ModelColumn& column) {
   constexpr double kGround = -500, kSpace = 22000;
   HeightProfile profile;
-  double clear = 1;
-  std::array<double, kRanges> clearIn{1, 1, 1};
+  std::vector<field::CoverLayer> all;
+  std::array<std::vector<field::CoverLayer>, kRanges> in;
   column.lowestRange = kRanges;
   column.highestRange = -1;
   for (const ModelLayer& layer : layers) {
     column.view.opticalDepth += layer.opticalDepth;
     if (!layer.isCloud()) continue;
-    clear *= 1 - layer.cover;
-    clearIn[static_cast<std::size_t>(layer.range())] *= 1 - layer.cover;
+    all.push_back({layer.cover, layer.baseMeters, layer.topMeters});
+    in[static_cast<std::size_t>(layer.range())].push_back(all.back());
     column.lowestRange = std::min(column.lowestRange, layer.range());
     column.highestRange = std::max(column.highestRange, layer.range());
     for (const Slice& slice : layer.slices)
       profile.addUniform(slice.baseMeters, slice.topMeters, slice.opticalDepth);
   }
-  column.view.cover = 1 - clear;
-  for (std::size_t range = 0; range < kRanges; ++range) column.view.coverIn[range] = 1 - clearIn[range];
+  column.view.cover = field::overlappedCover(all, column.latitudeDegrees);
+  for (std::size_t range = 0; range < kRanges; ++range)
+    column.view.coverIn[range] = field::overlappedCover(in[range], column.latitudeDegrees);
   column.borders = {borderBetween(layers, 0), borderBetween(layers, 1)};
   column.borders[1] = std::max(column.borders[0], column.borders[1]);
   if (column.highestRange < 0) {

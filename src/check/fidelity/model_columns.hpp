@@ -43,9 +43,9 @@ struct ModelColumn {
 
 /// The columns of a source that touch the box, by grid index, and what they say. Layers are runs of cloudy
 /// levels, parted where the water falls under a tenth of what is below and above; within one the levels
-/// overlap as much as they can (its cover is the greatest fraction), between two by chance (1 - product of 1
-/// - cover). A layer is low, middle or high by its base. Layers thinner than kCloudyOpticalDepth count for
-/// optical depth alone. Throws InputError as the source does.
+/// overlap as much as they can (its cover is the greatest fraction), layers as field::overlappedCover says. A
+/// layer is low, middle or high by its base. Layers thinner than kCloudyOpticalDepth count for optical depth
+/// alone. Throws InputError as the source does.
 std::vector<ModelColumn> modelColumns(const field::Source& source, const base::GeoBox& box);
 
 }  // namespace cloudgen::check

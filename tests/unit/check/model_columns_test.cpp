@@ -89,6 +89,21 @@ TEST(ModelColumns, RangesArePartedInClearAir) {
   EXPECT_NEAR(column.view.baseMeters.value(), 1010, 1);
 }
 
+TEST(ModelColumns, TouchingLayersOverlapMoreThanByChance) {
+  MadeModel model;
+  const auto state = [&](float base, float top, float cover) {
+    model.layers.push_back(
+        {.cell = 0, .coverFraction = cover, .baseMeters = base, .topMeters = top, .opticalDepth = 10});
+  };
+  state(800, 1200, 0.4f);
+  state(1200, 1600, 0.5f);
+  const double together = columnOf(model).view.cover;
+  EXPECT_GT(together, 0.5 + 0.01);
+  EXPECT_LT(together, 1 - 0.6 * 0.5 - 0.1);
+  state(8000, 9000, 0.3f);
+  EXPECT_NEAR(columnOf(model).view.cover, 1 - (1 - together) * 0.7, 1e-6);
+}
+
 TEST(ModelColumns, ABoxCutsAColumn) {
   const auto columns = modelColumns(MadeModel(), {10.25, 50.0, 11.0, 50.5});
   ASSERT_EQ(columns.size(), 2u);
