@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "base/data_dir.hpp"
@@ -11,7 +12,6 @@
 #include "base/text.hpp"
 #include "base/thread.hpp"
 #include "cli/command.hpp"
-#include "cli/fidelity_report.hpp"
 #include "cli/input_options.hpp"
 #include "cli/report.hpp"
 #include "cli/verification.hpp"
@@ -122,31 +122,35 @@ int build(const BuildLine& line, const Terminal& terminal) {
   watch.lap("open");
   const pipeline::Outcome outcome = pipeline::run(*source, options, progress);
   watch.lap("pipeline");
-  for (const writer::Format* format : formats) {
-    progress.step(fmt::format("writing {}", format->name), 0);
-    format->write(outcome.scene, {folder.path(), progress});
-    watch.lap(fmt::format("write_{}", format->name));
-  }
-  std::optional<check::Fidelity> fidelity;
-  const check::Tolerances tolerances;
+  writer::Destination destination{folder.path(), progress};
+  const auto write = [&](bool showingVerification) {
+    for (const writer::Format* format : formats) {
+      if (format->showsVerification != showingVerification) continue;
+      progress.step(fmt::format("writing {}", format->name), 0);
+      format->write(outcome.scene, destination);
+      watch.lap(fmt::format("write_{}", format->name));
+    }
+  };
+  write(false);
+  std::optional<nlohmann::ordered_json> verification;
   if (line.verify) {
-    const auto written = readWritten(folder.path(), "auto", progress);
-    fidelity =
-        check::compareWithModel(written, outcome.scene.frame, *source, typing.get(), tolerances, progress);
+    verification = verifyWritten(folder.path(), outcome.scene.frame, *source, typing.get(), progress);
+    destination.verification = verification->dump();
     watch.lap("verify");
   }
+  write(true);
   auto report = reportOf(*source, typing.get(), outcome, folder.path(), watch.laps());
-  if (fidelity) report["verify"] = fidelityJson(*fidelity, tolerances);
+  if (verification) report["verify"] = *verification;
   base::writeFile(folder.path() / "report.json", report.dump(2) + "\n");
   progress.step("writing", 1);
   folder.commit();
 
   for (const std::string& warning : outcome.warnings) terminal.warn(warning);
   if (line.json) print(report.dump(2));
-  if (fidelity && !fidelity->breaches.empty())
+  if (verification && !verification->at("passed").get<bool>())
     terminal.warn(
         fmt::format("the sky is not within {} of the tolerances of verify; report.json has the figures",
-                    fidelity->breaches.size()));
+                    verification->at("broken").size()));
   terminal.say(fmt::format("{}: {} clouds of {} puffs from {} model columns, valid {}", line.output,
                            outcome.scene.clouds.size(), scene::drawnPuffs(outcome.scene), outcome.columns,
                            base::isoText(outcome.scene.validTime)));
@@ -194,8 +198,9 @@ std::function<int()> setupBuild(CLI::App& options, const Terminal& terminal) {
   const auto config = std::make_shared<std::string>();
   options.add_option("--config", *config,
                      "options from a TOML file, as in seed = 7; the command line goes before it");
-  options.add_flag("--verify", line->verify,
-                   "read the scene back, compare it with the model and put the result into report.json");
+  options.add_flag(
+      "--verify", line->verify,
+      "read the scene back, compare it with the model and put the result into report.json and the page");
   options.add_flag("--overwrite", line->overwrite, "replace a folder that cloudgen made before");
   options.add_flag("--json", line->json, "print the report to stdout");
   return [line, config, &options, &terminal] {

@@ -111,7 +111,7 @@ ordered_json fidelityJson(const Fidelity& fidelity, const check::Tolerances& tol
                         {"low_below_m", check::kRangeBorders[0]},
                         {"high_from_m", check::kRangeBorders[1]},
                         {"base_and_top_share", check::kBorderShare},
-                        {"overlap", "maximum within a layer, random between layers"}};
+                        {"overlap", "maximum within a layer, exponential-random between layers"}};
   json["tolerances"] = tolerancesOf(fidelity, tolerances);
   json["broken"] = ordered_json::array();
   for (const check::Breach& breach : fidelity.breaches)

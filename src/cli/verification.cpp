@@ -2,6 +2,8 @@
 #include "cli/verification.hpp"
 
 #include "base/error.hpp"
+#include "cli/fidelity_maps.hpp"
+#include "cli/fidelity_report.hpp"
 
 namespace cloudgen::cli {
 
@@ -18,6 +20,17 @@ check::WrittenScene readWritten(const std::filesystem::path& folder, const std::
   check::WrittenScene scene = check::readSplatScene(splats);
   if (format == "auto" && hasX3d) scene.clouds = check::readX3dScene(x3d, progress).clouds;
   return scene;
+}
+
+nlohmann::ordered_json verifyWritten(const std::filesystem::path& folder, const base::LocalFrame& frame,
+                                     const field::Source& model, const field::Source* typing,
+                                     const base::Progress& progress) {
+  const check::Tolerances tolerances;
+  const check::Fidelity fidelity = check::compareWithModel(readWritten(folder, "auto", progress), frame,
+                                                           model, typing, tolerances, progress);
+  std::filesystem::create_directory(folder / "verify");
+  writeFidelityMaps(fidelity, model.grid(), frame.box(), folder / "verify");
+  return fidelityJson(fidelity, tolerances);
 }
 
 }  // namespace cloudgen::cli

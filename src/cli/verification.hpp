@@ -2,9 +2,12 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 
+#include "base/frame.hpp"
 #include "check/fidelity/written_scene.hpp"
+#include "field/source.hpp"
 
 namespace cloudgen::cli {
 
@@ -13,5 +16,11 @@ namespace cloudgen::cli {
 /// there is neither.
 check::WrittenScene readWritten(const std::filesystem::path& folder, const std::string& format,
                                 const base::Progress& progress);
+
+/// Reads a scene that a build has written to a folder ("auto"), compares it with its model and draws the maps
+/// into its folder verify/. Returns what fidelityJson says. Throws InputError, OutputError.
+nlohmann::ordered_json verifyWritten(const std::filesystem::path& folder, const base::LocalFrame& frame,
+                                     const field::Source& model, const field::Source* typing,
+                                     const base::Progress& progress);
 
 }  // namespace cloudgen::cli

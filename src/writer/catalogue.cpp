@@ -18,7 +18,7 @@ std::span<const Format> formats() {
       {"vrml", "VRML97", {"scene.wrl"}, writeVrml97},
       {"splats", "Gaussian splats: glTF with KHR_gaussian_splatting", {"scene.splats.glb"}, writeSplats},
       {"glb", "core glTF 2.0: instanced crossed cards", {"scene.glb"}, writeCards},
-      {"page", "a page that opens in any browser (shows the splats)", {"index.html"}, writePage},
+      {"page", "a page that opens in any browser (shows the splats)", {"index.html"}, writePage, true},
   };
   return kFormats;
 }

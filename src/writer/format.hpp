@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -14,6 +15,9 @@ namespace cloudgen::writer {
 struct Destination {
   std::filesystem::path folder;  ///< exists; files of other formats may already be in it
   base::Progress progress;
+  /// What verify found in the files that are already there, as schemas/verify.schema.json says; empty if
+  /// nobody looked. Its maps are in verify/.
+  std::string verification = {};
 };
 
 /// One output format. `write` throws OutputError; it writes only the named files (and textures/).
@@ -21,6 +25,7 @@ struct Format {
   std::string_view name, description;
   std::vector<std::string_view> files;
   void (*write)(const scene::Scene&, const Destination&);
+  bool showsVerification = false;  ///< wants Destination::verification: written after the scene was verified
 };
 
 }  // namespace cloudgen::writer

@@ -170,6 +170,28 @@ TEST_F(Verify, ABuildMayVerifyItself) {
   expectFitsSchema(report, "report.schema.json");
   expectFitsSchema(report.at("verify"), "verify.schema.json");
   EXPECT_EQ(report.at("verify").at("cover"), verified("splats").at("cover"));
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "own/verify/cover.png"));
+}
+
+TEST_F(Verify, ThePageShowsWhatTheBuildFound) {
+  const auto page = [&](const std::string& name, const Words& more) {
+    Words words{"build", sky, "-o", folder.path() / name, "--formats", "splats,page", "--max-puffs", "5000"};
+    words.insert(words.end(), more.begin(), more.end());
+    const Ran ran = runCloudgen(words);
+    if (ran.exitCode == 3) return json();  // the page needs npm
+    EXPECT_EQ(ran.exitCode, 0) << ran.err;
+    const std::string html = cloudgen::base::readFile(folder.path() / name / "index.html");
+    const std::string slot = "id=\"cloudgen-scene\">";
+    const std::size_t start = html.find(slot) + slot.size();
+    return json::parse(html.substr(start, html.find("</script>", start) - start));
+  };
+  const json unverified = page("plain", {}), shown = page("shown", {"--verify"});
+  if (unverified.is_null()) GTEST_SKIP() << "the page is not built";
+  EXPECT_FALSE(unverified.contains("verification"));
+  const json report = json::parse(cloudgen::base::readFile(folder.path() / "shown/report.json"));
+  EXPECT_EQ(shown.at("verification"), report.at("verify"));
+  ASSERT_EQ(shown.at("maps").size(), 2u);
+  EXPECT_TRUE(shown.at("maps").at(0).at("picture").get<std::string>().starts_with("data:image/png;base64,"));
 }
 
 TEST_F(Verify, RefusesADamagedScene) {

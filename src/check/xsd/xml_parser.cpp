@@ -266,7 +266,9 @@ void parse(ByteSource& source, xmlSchemaValidCtxtPtr validator, const XmlVisitor
   const std::unique_ptr<xmlParserCtxt, Freed> parser(
       xmlCreateIOParserCtxt(&handler, &pass, readChunk, nullptr, &pass, XML_CHAR_ENCODING_NONE));
   if (!parser) throw base::OutputError("X3D", "memory ran out", "close other programs");
-  xmlCtxtUseOptions(parser.get(), XML_PARSE_NONET);
+  // The scanner has its own limits and refuses entities. libxml2's would also stop at sound scenes: it counts
+  // 10 MB from where it last tidied its buffer, which it may not do for several megabytes of long values.
+  xmlCtxtUseOptions(parser.get(), XML_PARSE_NONET | XML_PARSE_HUGE);
   // xmlCtxtUseOptions and the plug copy handlers about: the pass is found again through the parser itself.
   parser->_private = &pass;
   pass.parser = parser.get();

@@ -11,7 +11,7 @@
 
 namespace cloudgen::check {
 
-/// What a scene may ask of the parser. libxml2 itself refuses an attribute over 10 MB.
+/// What a scene may ask of the parser, whose own limits are off.
 struct XmlLimits {
   std::uint64_t attributeBytes = 8 << 20;
   std::uint64_t textBytes = 1 << 20;  ///< a comment, instruction, DOCTYPE or run of text

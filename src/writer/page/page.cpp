@@ -35,6 +35,15 @@ std::size_t slotIn(const std::string& page, std::string_view slot) {
   return at + slot.size();
 }
 
+/// The maps of verify that the page shows: those that are there.
+std::vector<PageParts::Map> mapsIn(const fs::path& folder) {
+  std::vector<PageParts::Map> maps;
+  for (const auto& [name, file] :
+       {std::pair{"cover", "verify/cover.png"}, std::pair{"optical depth", "verify/optical_depth.png"}})
+    if (fs::exists(folder / file)) maps.push_back({name, file, base::readFile(folder / file, 16u << 20)});
+  return maps;
+}
+
 /// Appends the file in base64, a megabyte or so at a time.
 void appendBase64(std::ostream& out, const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
@@ -62,10 +71,12 @@ void writePage(const scene::Scene& scene, const Destination& destination, std::u
                             "build the page again from its sources");
 
   const bool inside = bytes <= largestSplatsInPage;
+  PageParts parts{bytes, inside ? "" : kSplatsFile, destination.verification, {}};
+  if (!parts.verification.empty()) parts.maps = mapsIn(destination.folder);
   destination.progress.step("page", 0);
   const fs::path target = destination.folder / "index.html";
   std::ofstream out(target, std::ios::binary | std::ios::trunc);
-  out << std::string_view(page).substr(0, sceneAt) << pageData(scene, bytes, inside ? "" : kSplatsFile)
+  out << std::string_view(page).substr(0, sceneAt) << pageData(scene, parts)
       << std::string_view(page).substr(sceneAt, splatsAt - sceneAt);
   if (inside) appendBase64(out, splats);
   out << std::string_view(page).substr(splatsAt);

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/text.hpp"
+#include "writer/page/base64.hpp"
 
 namespace cloudgen::writer {
 namespace {
@@ -105,7 +106,7 @@ std::string safeInHtml(const std::string& json) {
 
 }  // namespace
 
-std::string pageData(const scene::Scene& scene, std::uint64_t splatsBytes, const std::string& splatsFile) {
+std::string pageData(const scene::Scene& scene, const PageParts& parts) {
   const base::GeoBox& box = scene.frame.box();
   const glm::dvec2 lower = scene.frame.lowerCorner(), upper = scene.frame.upperCorner();
   Json files = Json::array();
@@ -142,7 +143,12 @@ std::string pageData(const scene::Scene& scene, std::uint64_t splatsBytes, const
                  {"ground", triple(scene.sky.ground)}};
   data["counts"] = {{"clouds", scene.clouds.size()}, {"puffs", scene::drawnPuffs(scene)}};
   data["genera"] = generaOf(scene);
-  data["splats"] = {{"bytes", splatsBytes}, {"file", splatsFile.empty() ? Json(nullptr) : Json(splatsFile)}};
+  data["splats"] = {{"bytes", parts.splatsBytes},
+                    {"file", parts.splatsFile.empty() ? Json(nullptr) : Json(parts.splatsFile)}};
+  if (!parts.verification.empty()) data["verification"] = Json::parse(parts.verification);
+  for (const PageParts::Map& map : parts.maps)
+    data["maps"].push_back(
+        {{"name", map.name}, {"file", map.file}, {"picture", "data:image/png;base64," + base64(map.png)}});
   // A name in another encoding than UTF-8 is shown with replacement characters, not refused.
   return safeInHtml(data.dump(-1, ' ', false, Json::error_handler_t::replace));
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+import {fillFidelity} from './fidelity';
 import type {SceneData} from './scene_data';
 
 function timeText(iso: string): string {
@@ -25,6 +26,7 @@ export function fillPanels(data: SceneData): void {
   setText('sun', `${data.sun.elevationDegrees.toFixed(0)}° high, azimuth ${data.sun.azimuthDegrees.toFixed(0)}°`);
   setText('clouds', data.counts.clouds.toLocaleString('en'));
   fillLegend(data);
+  fillFidelity(data);
   const panel = document.getElementById('panel') as HTMLDetailsElement | null;
   if (panel) panel.open = window.matchMedia('(min-width: 900px) and (min-height: 560px)').matches;
 }

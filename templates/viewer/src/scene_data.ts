@@ -21,6 +21,25 @@ export interface TerrainData {
   heights: number[];
 }
 
+/** Scene minus model; null where nothing could be compared. */
+export interface Score {
+  bias: number | null;
+  rmse: number | null;
+}
+
+/** What `cloudgen verify` found (schemas/verify.schema.json), as far as it is shown. */
+export interface Fidelity {
+  passed: boolean;
+  read: {file: string};
+  columns: number;
+  cover: {total: Score; low: Score; middle: Score; high: Score};
+  optical_depth: {bias_relative: number; correlation: number | null};
+  base_m: Score;
+  top_m: Score;
+  genus: {agreement: number | null; clouds: number};
+  broken: {measure: string}[];
+}
+
 /** What the writer says about the scene, in the slot `cloudgen-scene`. Lengths in metres, x east, y up, z south. */
 export interface SceneData {
   title: string;
@@ -38,6 +57,10 @@ export interface SceneData {
   counts: {clouds: number; puffs: number};
   genera: GenusCount[];
   splats: {bytes: number; file: string | null};
+  /** Not there if the build did not verify the scene. */
+  verification?: Fidelity;
+  /** Maps of it: the file beside the page, and the picture itself as a data address. */
+  maps?: {name: string; file: string; picture: string}[];
 }
 
 function slotText(id: string): string {

@@ -78,6 +78,21 @@ TEST_F(Page, LeavesVeryLargeSplatsBesideIt) {
   EXPECT_NE(written().find("\"file\":\"scene.splats.glb\""), std::string::npos);
 }
 
+TEST_F(Page, ShowsWhatVerifyFoundAndItsMaps) {
+  base::writeFile(out().folder / "scene.splats.glb", "foobar");
+  fs::create_directories(out().folder / "verify");
+  base::writeFile(out().folder / "verify/cover.png", "foobar");
+  Destination verified = out();
+  verified.verification = R"({"passed": true, "note": "</script>"})";
+  writePage(skyWithTwoClouds(), verified);
+  EXPECT_NE(written().find(R"("verification":{"passed":true,"note":"\u003c/script>"})"), std::string::npos);
+  EXPECT_NE(written().find(R"("file":"verify/cover.png","picture":"data:image/png;base64,Zm9vYmFy")"),
+            std::string::npos);
+  writePage(skyWithTwoClouds(), out());
+  EXPECT_EQ(written().find("verification"), std::string::npos) << "maps of another run are not shown";
+  EXPECT_EQ(written().find("cover.png"), std::string::npos);
+}
+
 TEST_F(Page, WithoutSplatsSaysWhatToAdd) {
   try {
     writePage(skyWithTwoClouds(), out());
@@ -103,7 +118,7 @@ TEST_F(Page, TwoRunsWriteTheSameBytes) {
 }
 
 TEST(PageData, CountsGeneraWithTheirHeights) {
-  const auto data = nlohmann::json::parse(pageData(skyWithTwoClouds(), 6, ""));
+  const auto data = nlohmann::json::parse(pageData(skyWithTwoClouds(), {.splatsBytes = 6}));
   ASSERT_EQ(data["genera"].size(), 2u);
   EXPECT_EQ(data["genera"][0]["abbreviation"], "Ci");
   EXPECT_EQ(data["genera"][1]["count"], 2);
@@ -114,7 +129,7 @@ TEST(PageData, CountsGeneraWithTheirHeights) {
 }
 
 TEST(PageData, TellsWhereAndWhatWithoutFolders) {
-  const auto data = nlohmann::json::parse(pageData(skyWithTwoClouds(), 6, ""));
+  const auto data = nlohmann::json::parse(pageData(skyWithTwoClouds(), {.splatsBytes = 6}));
   EXPECT_EQ(data["title"], "Clouds of GFS, 36.2 to 37.2°N, 122.6 to 121.2°W");
   EXPECT_EQ(data["files"][0], "gfs.grib2");
 }
@@ -122,7 +137,7 @@ TEST(PageData, TellsWhereAndWhatWithoutFolders) {
 TEST(PageData, NothingInItEndsTheScriptElement) {
   scene::Scene scene = skyWithTwoClouds();
   scene.provenance.model = "</script><script>alert(1)</script>";
-  const std::string text = pageData(scene, 6, "");
+  const std::string text = pageData(scene, {.splatsBytes = 6});
   EXPECT_EQ(text.find('<'), std::string::npos);
   EXPECT_NE(nlohmann::json::parse(text)["title"].get<std::string>().find("</script>"), std::string::npos);
 }
@@ -130,7 +145,7 @@ TEST(PageData, NothingInItEndsTheScriptElement) {
 TEST(PageData, SurvivesANameThatIsNotUtf8) {
   scene::Scene scene = skyWithTwoClouds();
   scene.provenance.model = "mod\xe8le";
-  EXPECT_NO_THROW(nlohmann::json::parse(pageData(scene, 6, "")));
+  EXPECT_NO_THROW(nlohmann::json::parse(pageData(scene, {.splatsBytes = 6})));
 }
 
 }  // namespace

@@ -79,6 +79,15 @@ async function legendListsGenera(page, folder) {
   expect(Object.keys(shown).length === counted.length, `legend lists ${Object.keys(shown)}, report ${counted.map(([genus]) => genus)}`);
 }
 
+async function fidelityIsTold(page, folder) {
+  const shown = await page.evaluate(() => document.getElementById('fidelity')?.dataset.verified);
+  const report = join(folder, 'report.json');
+  if (!existsSync(report)) return;
+  const found = JSON.parse(await readFile(report, 'utf8')).verify;
+  const told = found ? (found.passed ? 'passed' : 'failed') : 'no';
+  expect(shown === told, `fidelity: the page says ${shown}, the report ${told}`);
+}
+
 async function everythingFits(page) {
   const outside = await page.evaluate(() =>
     [...document.querySelectorAll('button, input, summary, #readout')]
@@ -104,6 +113,7 @@ export async function pageWorks(folder, size, picturePath) {
 
     await everythingFits(page);
     await legendListsGenera(page, folder);
+    await fidelityIsTold(page, folder);
     await rest(page);
     const full = await page.screenshot({timeout: SECONDS * 1000});
     await keep(`${picturePath}.png`, full);
