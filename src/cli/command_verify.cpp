@@ -125,8 +125,9 @@ std::function<int()> setupVerify(CLI::App& options, const Terminal& terminal) {
   options.add_option("--threads", line->threads, "worker threads (0: all cores)")->check(CLI::Range(0, 1024));
   options.add_flag("--json", line->json, "one JSON object on stdout");
   options.footer(
-      "Exit code 4 when a tolerance is broken: cover bias 0.01 and RMSE 0.10, optical depth bias 2 % and\n"
-      "correlation 0.98, base and top RMSE 150 m or half a model level, every stated genus kept.");
+      "Exit code 4 when a tolerance is broken: cover bias 0.01 and RMSE 0.10 (0.05 where 100 clouds or a\n"
+      "full sheet stand in a column), optical depth bias 2 % and correlation 0.98, base and top RMSE 150 m or\n"
+      "half a model level, every stated genus kept.");
   return [line, &terminal] { return verify(*line, terminal); };
 }
 

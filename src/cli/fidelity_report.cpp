@@ -20,6 +20,20 @@ ordered_json coverOf(const Score& score) {
   return {{"bias", rounded(score.bias, 1e5)}, {"rmse", rounded(score.rmse, 1e5)}};
 }
 
+ordered_json coversOf(const check::CoverScores& scores) {
+  ordered_json covers{{"total", coverOf(scores.total)}};
+  for (std::size_t range = 0; range < check::kRanges; ++range)
+    covers[kRangeNames[range]] = coverOf(scores.in[range]);
+  return covers;
+}
+
+ordered_json populatedOf(const Fidelity& fidelity) {
+  if (!fidelity.populatedCover) return nullptr;
+  ordered_json covers = coversOf(*fidelity.populatedCover);
+  covers["columns"] = fidelity.populatedCover->total.columns;
+  return covers;
+}
+
 ordered_json heightOf(const Score& score) {
   if (score.columns == 0) return {{"bias", nullptr}, {"rmse", nullptr}, {"columns", 0}};
   return {{"bias", rounded(score.bias, 10)}, {"rmse", rounded(score.rmse, 10)}, {"columns", score.columns}};
@@ -41,6 +55,7 @@ ordered_json worstOf(const Fidelity& fidelity) {
 ordered_json tolerancesOf(const Fidelity& fidelity, const check::Tolerances& tolerances) {
   return {{"cover_bias", tolerances.coverBias},
           {"cover_rmse", tolerances.coverRmse},
+          {"populated_cover_rmse", tolerances.populatedCoverRmse},
           {"optical_depth_bias_relative", tolerances.opticalDepthBias},
           {"optical_depth_correlation", tolerances.opticalDepthCorrelation},
           {"base_and_top_rmse_m", rounded(fidelity.heightTolerance, 10)},
@@ -66,6 +81,13 @@ std::string coverText(const Score& score) {
   return fmt::format("bias {:+.3f}   rmse {:.3f}", score.bias, score.rmse);
 }
 
+std::string populatedText(const std::optional<check::CoverScores>& scores) {
+  if (!scores) return "left out: the file does not name its clouds";
+  if (scores->total.columns == 0) return "no column has 100 clouds or a full sheet";
+  return fmt::format("{}   ({} columns of 100 clouds or a full sheet)", coverText(scores->total),
+                     scores->total.columns);
+}
+
 std::string worstText(const Fidelity& fidelity) {
   std::string text = "  worst column\n";
   for (const check::WorstColumns& worst : fidelity.worst) {
@@ -89,9 +111,8 @@ ordered_json fidelityJson(const Fidelity& fidelity, const check::Tolerances& tol
                   {"blobs", fidelity.footprints},
                   {"saturated", fidelity.saturated}};
   json["columns"] = fidelity.columns.size();
-  ordered_json cover{{"total", coverOf(fidelity.cover)}};
-  for (std::size_t range = 0; range < check::kRanges; ++range)
-    cover[kRangeNames[range]] = coverOf(fidelity.coverIn[range]);
+  ordered_json cover = coversOf(fidelity.cover);
+  cover["populated"] = populatedOf(fidelity);
   cover["drawn"] = coverOf(fidelity.drawnCover);
   json["cover"] = std::move(cover);
   const check::OpticalDepthScore& depth = fidelity.opticalDepth;
@@ -111,6 +132,8 @@ ordered_json fidelityJson(const Fidelity& fidelity, const check::Tolerances& tol
                         {"low_below_m", check::kRangeBorders[0]},
                         {"high_from_m", check::kRangeBorders[1]},
                         {"base_and_top_share", check::kBorderShare},
+                        {"populated_clouds", check::kPopulatedClouds},
+                        {"full_sheet_cover", check::kFullSheet},
                         {"overlap", "maximum within a layer, exponential-random between layers"}};
   json["tolerances"] = tolerancesOf(fidelity, tolerances);
   json["broken"] = ordered_json::array();
@@ -125,10 +148,11 @@ std::string fidelityText(const Fidelity& fidelity, const check::Tolerances& tole
   std::string text = fmt::format(
       "{}: {} blobs over {} model columns: {}\n", fidelity.file, fidelity.footprints, fidelity.columns.size(),
       fidelity.breaches.empty() ? "the sky matches the model" : "the sky does not match the model");
-  text += line("cover", coverText(fidelity.cover), isBroken(fidelity, "cover.total"));
+  text += line("cover", coverText(fidelity.cover.total), isBroken(fidelity, "cover.total"));
   for (std::size_t range = 0; range < check::kRanges; ++range)
-    text += line(fmt::format("  {}", kRangeNames[range]), coverText(fidelity.coverIn[range]),
+    text += line(fmt::format("  {}", kRangeNames[range]), coverText(fidelity.cover.in[range]),
                  isBroken(fidelity, fmt::format("cover.{}", kRangeNames[range])));
+  text += line("  populated", populatedText(fidelity.populatedCover), isBroken(fidelity, "cover.populated"));
   const check::OpticalDepthScore& depth = fidelity.opticalDepth;
   text += line(
       "optical depth",
@@ -145,8 +169,8 @@ std::string fidelityText(const Fidelity& fidelity, const check::Tolerances& tole
                isBroken(fidelity, "genus"));
   text += worstText(fidelity);
   text += fmt::format(
-      "  tolerated: cover {} bias, {} rmse; optical depth {:.0f} %, correlation {}; heights {:.0f} m",
-      tolerances.coverBias, tolerances.coverRmse, 100 * tolerances.opticalDepthBias,
+      "  tolerated: cover {} bias, {} rmse ({} populated); optical depth {:.0f} %, correlation {}; heights {:.0f} m",
+      tolerances.coverBias, tolerances.coverRmse, tolerances.populatedCoverRmse, 100 * tolerances.opticalDepthBias,
       tolerances.opticalDepthCorrelation, fidelity.heightTolerance);
   if (fidelity.saturated > 0)
     text += fmt::format("\n  {} blobs are as opaque as can be written: their optical depth is a lower bound",

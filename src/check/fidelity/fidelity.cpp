@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "base/error.hpp"
 #include "base/thread.hpp"
@@ -130,16 +131,47 @@ void addWorst(Fidelity& fidelity) {
   }));
 }
 
-void score(Fidelity& fidelity, const Tolerances& tolerances) {
-  Differences cover, drawn, base, top, thickness;
-  std::array<Differences, kRanges> coverIn;
+class CoverDifferences {
+ public:
+  void add(const ComparedColumn& column) {
+    const double weight = column.model.squareMeters;
+    total_.add(column.scene.cover, column.model.view.cover, weight);
+    for (std::size_t range = 0; range < kRanges; ++range)
+      in_[range].add(column.scene.coverIn[range], column.model.view.coverIn[range], weight);
+  }
+  CoverScores score() const {
+    CoverScores scores{total_.score(), {}};
+    for (std::size_t range = 0; range < kRanges; ++range) scores.in[range] = in_[range].score();
+    return scores;
+  }
+
+ private:
+  Differences total_;
+  std::array<Differences, kRanges> in_;
+};
+
+void countClouds(const WrittenScene& scene, const base::LocalFrame& frame, const field::Grid& grid,
+                 std::vector<ComparedColumn>& columns) {
+  std::map<std::uint32_t, std::size_t> clouds;
+  const field::CellFinder finder(grid);
+  for (const WrittenCloud& cloud : scene.clouds) {
+    const glm::dvec3 place = frame.toGeographic(glm::dvec3(cloud.foot));
+    if (const auto cell = finder.at({place.x, place.y})) ++clouds[*cell];
+  }
+  for (ComparedColumn& column : columns)
+    if (const auto found = clouds.find(column.model.cell); found != clouds.end())
+      column.clouds = found->second;
+}
+
+void score(Fidelity& fidelity, bool namesClouds, const Tolerances& tolerances) {
+  CoverDifferences cover, populated;
+  Differences drawn, base, top, thickness;
   for (const ComparedColumn& column : fidelity.columns) {
     const ColumnView& model = column.model.view;
     const double weight = column.model.squareMeters;
-    cover.add(column.scene.cover, model.cover, weight);
+    cover.add(column);
+    if (column.isPopulated()) populated.add(column);
     drawn.add(column.drawnCover, model.cover, weight);
-    for (std::size_t range = 0; range < kRanges; ++range)
-      coverIn[range].add(column.scene.coverIn[range], model.coverIn[range], weight);
     if (model.baseMeters && column.scene.baseMeters) {
       base.add(*column.scene.baseMeters, *model.baseMeters, weight);
       thickness.add(column.model.levelMeters, 0, weight);
@@ -150,7 +182,7 @@ void score(Fidelity& fidelity, const Tolerances& tolerances) {
   fidelity.drawnCover = drawn.score();
   fidelity.base = base.score();
   fidelity.top = top.score();
-  for (std::size_t range = 0; range < kRanges; ++range) fidelity.coverIn[range] = coverIn[range].score();
+  if (namesClouds) fidelity.populatedCover = populated.score();
   fidelity.opticalDepth = opticalDepthScore(fidelity.columns);
   fidelity.heightTolerance = std::max(tolerances.heightRmseMeters, 0.5 * thickness.score().bias);
 }
@@ -162,13 +194,18 @@ void judge(Fidelity& fidelity, const Tolerances& tolerances) {
   const auto atLeast = [&](const std::string& measure, const std::optional<double>& value, double tolerated) {
     if (value && !(*value >= tolerated)) fidelity.breaches.push_back({measure, *value, tolerated});
   };
-  atMost("cover.total.bias", fidelity.cover.bias, tolerances.coverBias);
-  atMost("cover.total.rmse", fidelity.cover.rmse, tolerances.coverRmse);
-  constexpr std::array<const char*, kRanges> kNames{"low", "middle", "high"};
-  for (std::size_t range = 0; range < kRanges; ++range) {
-    atMost(fmt::format("cover.{}.bias", kNames[range]), fidelity.coverIn[range].bias, tolerances.coverBias);
-    atMost(fmt::format("cover.{}.rmse", kNames[range]), fidelity.coverIn[range].rmse, tolerances.coverRmse);
-  }
+  const auto judgeCover = [&](const std::string& name, const CoverScores& cover, double rmse) {
+    constexpr std::array<const char*, kRanges> kNames{"low", "middle", "high"};
+    atMost(name + ".total.bias", cover.total.bias, tolerances.coverBias);
+    atMost(name + ".total.rmse", cover.total.rmse, rmse);
+    for (std::size_t range = 0; range < kRanges; ++range) {
+      atMost(fmt::format("{}.{}.bias", name, kNames[range]), cover.in[range].bias, tolerances.coverBias);
+      atMost(fmt::format("{}.{}.rmse", name, kNames[range]), cover.in[range].rmse, rmse);
+    }
+  };
+  judgeCover("cover", fidelity.cover, tolerances.coverRmse);
+  if (fidelity.populatedCover)
+    judgeCover("cover.populated", *fidelity.populatedCover, tolerances.populatedCoverRmse);
   atMost("optical_depth.bias_relative", fidelity.opticalDepth.biasRelative, tolerances.opticalDepthBias);
   atLeast("optical_depth.correlation", fidelity.opticalDepth.correlation, tolerances.opticalDepthCorrelation);
   atMost("base_m.rmse", fidelity.base.rmse, fidelity.heightTolerance);
@@ -212,14 +249,16 @@ Fidelity compareWithModel(const WrittenScene& scene, const base::LocalFrame& fra
       rays[i] = raysInto(model.grid(), columns[first + i].cell, fidelity.raysAcross, frame);
     base::parallelFor(count, [&](std::size_t i) {
       const SeenColumn seen = imager.look(rays[i], columns[first + i]);
-      fidelity.columns[first + i] = {columns[first + i], seen.view, seen.drawnCover};
+      fidelity.columns[first + i] = {columns[first + i], seen.view, seen.drawnCover, 0};
     });
   }
   const field::Source* const stating = typing                                      ? typing
                                        : model.telling() == field::Telling::Layers ? &model
                                                                                    : nullptr;
   if (stating) fidelity.genus = genusScore(scene.clouds, frame, *stating);
-  score(fidelity, tolerances);
+  const bool namesClouds = !scene.clouds.empty() || scene.footprints.empty();
+  countClouds(scene, frame, model.grid(), fidelity.columns);
+  score(fidelity, namesClouds, tolerances);
   addWorst(fidelity);
   judge(fidelity, tolerances);
   progress.step("verify", 1);

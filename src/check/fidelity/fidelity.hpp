@@ -15,7 +15,7 @@ namespace cloudgen::check {
 /// How far the sky may be from the model. Heights: the larger of heightRmseMeters and half the mean thickness
 /// of the model's cells.
 struct Tolerances {
-  double coverBias = 0.01, coverRmse = 0.10;
+  double coverBias = 0.01, coverRmse = 0.10, populatedCoverRmse = 0.05;
   double opticalDepthBias = 0.02, opticalDepthCorrelation = 0.98;
   double heightRmseMeters = 150;
   double genusAgreement = 1;
@@ -26,6 +26,16 @@ struct Score {
   double bias = 0, rmse = 0;
   std::size_t columns = 0;  ///< that were compared
 };
+
+struct CoverScores {
+  Score total;
+  std::array<Score, kRanges> in;
+};
+
+/// A column is populated when so many clouds stand in it, or when its cover is that of a full sheet: what is
+/// left to chance in it is small.
+inline constexpr std::size_t kPopulatedClouds = 100;
+inline constexpr double kFullSheet = 0.985;
 
 struct OpticalDepthScore {
   double modelMean = 0, sceneMean = 0, biasRelative = 0;
@@ -47,6 +57,9 @@ struct ComparedColumn {
   ModelColumn model;
   ColumnView scene;
   double drawnCover = 0;
+  std::size_t clouds = 0;  ///< that the scene names and whose foot stands in it
+
+  bool isPopulated() const { return clouds >= kPopulatedClouds || model.view.cover >= kFullSheet; }
 };
 
 /// A column that is further off than the others.
@@ -71,8 +84,10 @@ struct Fidelity {
   std::uint64_t saturated = 0;
   int raysAcross = 0;  ///< a column is looked at by the square of it, less where it leaves the box
   std::vector<ComparedColumn> columns;
-  Score cover, drawnCover, base, top;
-  std::array<Score, kRanges> coverIn;
+  CoverScores cover;
+  /// Over the populated columns; nothing where the file does not name its clouds.
+  std::optional<CoverScores> populatedCover;
+  Score drawnCover, base, top;
   OpticalDepthScore opticalDepth;
   GenusScore genus;
   double heightTolerance = 150;

@@ -25,6 +25,7 @@ function rowsOf(fidelity: Fidelity): [string, string, string][] {
     ['Base', heightText(fidelity.base_m), 'base_m'],
     ['Top', heightText(fidelity.top_m), 'top_m'],
   ];
+  if (cover.populated?.columns) rows.splice(4, 0, ['populated', coverText(cover.populated.total), 'cover.populated']);
   if (genus.agreement !== null) rows.push(['Types', `${(100 * genus.agreement).toFixed(1)} % of ${genus.clouds.toLocaleString('en')} clouds`, 'genus']);
   return rows;
 }

@@ -32,7 +32,7 @@ export interface Fidelity {
   passed: boolean;
   read: {file: string};
   columns: number;
-  cover: {total: Score; low: Score; middle: Score; high: Score};
+  cover: {total: Score; low: Score; middle: Score; high: Score; populated: {total: Score; columns: number} | null};
   optical_depth: {bias_relative: number; correlation: number | null};
   base_m: Score;
   top_m: Score;
