@@ -115,8 +115,10 @@ std::function<int()> setupVerify(CLI::App& options, const Terminal& terminal) {
                   "minutes that the typing may be away from the model's time")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  options.add_option("--format", line->format, "which file to read: x3d, splats or auto (what is there)")
-      ->check(CLI::IsMember({"auto", "x3d", "splats"}))
+  options
+      .add_option("--format", line->format,
+                  "which file to read: x3d, splats, glb or auto (the best that is there)")
+      ->check(CLI::IsMember({"auto", "x3d", "splats", "glb"}))
       ->capture_default_str();
   options.add_option(
       "-o,--output", line->maps,
@@ -126,7 +128,8 @@ std::function<int()> setupVerify(CLI::App& options, const Terminal& terminal) {
   options.add_flag("--json", line->json, "one JSON object on stdout");
   options.footer(
       "Exit code 4 when a tolerance is broken: cover bias 0.01 and RMSE 0.10 (0.05 where 100 clouds or a\n"
-      "full sheet stand in a column), optical depth bias 2 % and correlation 0.98, base and top RMSE 150 m or\n"
+      "full sheet stand in a column), optical depth bias 2 % and correlation 0.98, base and top RMSE 150 m "
+      "or\n"
       "half a model level, every stated genus kept.");
   return [line, &terminal] { return verify(*line, terminal); };
 }

@@ -169,9 +169,10 @@ std::string fidelityText(const Fidelity& fidelity, const check::Tolerances& tole
                isBroken(fidelity, "genus"));
   text += worstText(fidelity);
   text += fmt::format(
-      "  tolerated: cover {} bias, {} rmse ({} populated); optical depth {:.0f} %, correlation {}; heights {:.0f} m",
-      tolerances.coverBias, tolerances.coverRmse, tolerances.populatedCoverRmse, 100 * tolerances.opticalDepthBias,
-      tolerances.opticalDepthCorrelation, fidelity.heightTolerance);
+      "  tolerated: cover {} bias, {} rmse ({} populated); optical depth {:.0f} %, correlation {}; heights "
+      "{:.0f} m",
+      tolerances.coverBias, tolerances.coverRmse, tolerances.populatedCoverRmse,
+      100 * tolerances.opticalDepthBias, tolerances.opticalDepthCorrelation, fidelity.heightTolerance);
   if (fidelity.saturated > 0)
     text += fmt::format("\n  {} blobs are as opaque as can be written: their optical depth is a lower bound",
                         fidelity.saturated);

@@ -11,9 +11,9 @@
 
 namespace cloudgen::cli {
 
-/// Reads the scene of a folder for verification: "x3d" or "splats"; "auto" takes the splats if they are
-/// there, as they keep every puff, and the names of the clouds from the X3D beside them. Throws InputError if
-/// there is neither.
+/// Reads the scene of a folder for verification: "x3d", "splats" or "glb"; "auto" takes the splats if they
+/// are there, as they keep every puff, and the names of the clouds from the X3D beside them; else X3D, else
+/// GLB. Throws InputError if it is not there.
 check::WrittenScene readWritten(const std::filesystem::path& folder, const std::string& format,
                                 const base::Progress& progress);
 

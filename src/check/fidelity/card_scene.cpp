@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "check/fidelity/card_scene.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -10,32 +11,18 @@ namespace cloudgen::check {
 namespace {
 
 constexpr std::size_t kMostCards = 10'000'000, kMostVisits = 20'000'000;
-/// Alpha is written with three decimals: what is above may be any optical depth from 7.6 on.
-constexpr float kMostOpaque = 0.9995f;
 
-/// Where a subtree stands, and how high it stands for a viewer beside it.
+/// Where a subtree stands in the scene; below a Billboard, from its pivot.
 struct Pose {
-  glm::mat4 fromAbove{1}, fromBeside{1};
-  bool turned = false;  ///< below a Billboard: the two are not the same
+  glm::mat4 matrix{1};
+  std::optional<std::uint32_t> pivot;
 };
 
-glm::vec3 pointOf(const glm::mat4& pose, const glm::vec3& point) {
-  return glm::vec3(pose * glm::vec4(point, 1));
+glm::vec3 pointOf(const glm::mat4& matrix, const glm::vec3& point) {
+  return glm::vec3(matrix * glm::vec4(point, 1));
 }
-glm::vec3 vectorOf(const glm::mat4& pose, const glm::vec3& vector) {
-  return glm::vec3(pose * glm::vec4(vector, 0));
-}
-
-/// A Billboard that turns about every axis: its z axis points to the viewer, its y axis to where the viewer
-/// has up, which is north for one who looks down. Seen from beside its y axis stands upright.
-Pose turnedToViewer(const Pose& pose) {
-  const glm::vec4 pivot = pose.fromAbove[3];
-  const float scale = glm::length(glm::vec3(pose.fromAbove[0]));
-  Pose out;
-  out.turned = true;
-  out.fromAbove = {glm::vec4(scale, 0, 0, 0), glm::vec4(0, 0, -scale, 0), glm::vec4(0, scale, 0, 0), pivot};
-  out.fromBeside = {glm::vec4(scale, 0, 0, 0), glm::vec4(0, scale, 0, 0), glm::vec4(0, 0, scale, 0), pivot};
-  return out;
+glm::vec3 vectorOf(const glm::mat4& matrix, const glm::vec3& vector) {
+  return glm::vec3(matrix * glm::vec4(vector, 0));
 }
 
 class Walk {
@@ -44,20 +31,17 @@ class Walk {
       : nodes_(nodes), where_(where), scene_(scene) {}
 
   void visit(std::uint32_t index, Pose pose, WrittenCloud* cloud) {
-    if (++visits_ > kMostVisits || scene_.footprints.size() > kMostCards)
+    if (++visits_ > kMostVisits || scene_.blobs.size() > kMostCards)
       throw base::InputError(where_, "draws more cards than can be read", "is it a scene of cloudgen?");
     const CardNode& node = nodes_[index];
-    if (node.kind == CardNodeKind::Transform) {
-      pose.fromAbove = pose.fromAbove * node.matrix;
-      pose.fromBeside = pose.fromBeside * node.matrix;
-    }
-    if (node.kind == CardNodeKind::Billboard) pose = turnedToViewer(pose);
+    if (node.kind == CardNodeKind::Transform) pose.matrix = pose.matrix * node.matrix;
+    if (node.kind == CardNodeKind::Billboard) pose = turning(pose);
     for (const Card& card : node.cards) add(card, pose);
     if (node.kind == CardNodeKind::Shape && cloud && !cloud->drawn) cloud->drawn = node.drawn;
 
     WrittenCloud own;
     if (node.isCloud) {
-      own.foot = glm::vec3(pose.fromAbove[3]);
+      own.foot = pose.pivot ? scene_.pivots[*pose.pivot].place : glm::vec3(pose.matrix[3]);
       own.recorded = node.recorded;
       cloud = &own;
     }
@@ -69,22 +53,32 @@ class Walk {
   }
 
  private:
-  void add(const Card& card, const Pose& pose) {
-    const glm::vec3 right = vectorOf(pose.fromAbove, card.right), up = vectorOf(pose.fromAbove, card.up);
-    const float facing = glm::cross(right, up).y;
-    if (!(facing > 0 ? card.front : card.back)) return;
-    if (card.alpha >= kMostOpaque) ++scene_.saturated;
-    const float depth = -std::log1p(-std::min(card.alpha, kMostOpaque));
-    Footprint footprint = footprintOfCard(pointOf(pose.fromAbove, card.center),
-                                          {right / kCardReach, up / kCardReach}, kCardReach, depth);
-    if (pose.turned) {
-      const float rise = vectorOf(pose.fromBeside, card.right).y,
-                  stand = vectorOf(pose.fromBeside, card.up).y;
-      footprint.height = pointOf(pose.fromBeside, card.center).y;
-      footprint.heightSlope = glm::vec2(0);
-      footprint.heightDeviation = std::hypot(rise, stand) / kCardReach;
+  /// A Billboard that turns about every axis. One within another keeps facing as that does.
+  Pose turning(const Pose& pose) {
+    const float scale = glm::length(glm::vec3(pose.matrix[0]));
+    Pose out;
+    out.pivot = pose.pivot;
+    if (pose.pivot) {
+      out.matrix = glm::mat4(glm::mat3(scale));
+      out.matrix[3] = pose.matrix[3];
+      return out;
     }
-    if (isSeen(footprint)) scene_.footprints.push_back(footprint);
+    out.pivot = static_cast<std::uint32_t>(scene_.pivots.size());
+    scene_.pivots.push_back({glm::vec3(pose.matrix[3]), scale});
+    return out;
+  }
+
+  void add(const Card& card, const Pose& pose) {
+    if (card.alpha >= kMostOpaque) ++scene_.saturated;
+    Blob blob = cardBlob(pointOf(pose.matrix, card.center), vectorOf(pose.matrix, card.right) / kCardReach,
+                         vectorOf(pose.matrix, card.up) / kCardReach, opticalDepthOf(card.alpha));
+    blob.front = card.front;
+    blob.back = card.back;
+    if (pose.pivot) {
+      blob.kind = BlobKind::Turning;
+      blob.pivot = *pose.pivot;
+    }
+    scene_.blobs.push_back(blob);
   }
 
   const std::vector<CardNode>& nodes_;
@@ -94,6 +88,8 @@ class Walk {
 };
 
 }  // namespace
+
+float opticalDepthOf(float alpha) { return -std::log1p(-std::clamp(alpha, 0.0f, kMostOpaque)); }
 
 void flatten(const std::vector<CardNode>& nodes, const std::string& where, WrittenScene& scene) {
   if (!nodes.empty()) Walk(nodes, where, scene).visit(0, {}, nullptr);

@@ -33,11 +33,14 @@ struct CardNode {
   int depth = 1;  ///< of the graph below it
 };
 
-/// Half-side of a card, in standard deviations of its sprite.
-inline constexpr float kCardReach = 2.2f;
+/// Alpha from which on a card may have any optical depth from 7.6 on: writers keep three decimals.
+inline constexpr float kMostOpaque = 0.9995f;
 
-/// Walks the graph from the first node down and adds what one sees from above. Throws InputError, naming
-/// `where`, if the scene draws more than can be held.
+/// Optical depth of the centre of a card.
+float opticalDepthOf(float alpha);
+
+/// Walks the graph from the first node down and adds the cards and clouds that are drawn. Throws InputError,
+/// naming `where`, if the scene draws more than can be held.
 void flatten(const std::vector<CardNode>& nodes, const std::string& where, WrittenScene& scene);
 
 }  // namespace cloudgen::check

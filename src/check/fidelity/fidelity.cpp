@@ -221,7 +221,6 @@ Fidelity compareWithModel(const WrittenScene& scene, const base::LocalFrame& fra
   Fidelity fidelity;
   fidelity.file = scene.file;
   fidelity.format = scene.format;
-  fidelity.footprints = scene.footprints.size();
   fidelity.saturated = scene.saturated;
   progress.step("verify: model", 0);
   auto columns = modelColumns(model, frame.box());
@@ -235,7 +234,9 @@ Fidelity compareWithModel(const WrittenScene& scene, const base::LocalFrame& fra
       kFewestAcross, kMostAcross);
 
   progress.step("verify: look", 0.3);
-  const Imager imager(scene.footprints);
+  const std::vector<Footprint> footprints = footprintsOf(scene.blobs, scene.pivots, View{});
+  fidelity.footprints = footprints.size();
+  const Imager imager(footprints);
   fidelity.columns.resize(columns.size());
   // A map projection serves one thread at a time: rays are placed here, batch by batch, and followed in
   // parallel.
@@ -256,7 +257,7 @@ Fidelity compareWithModel(const WrittenScene& scene, const base::LocalFrame& fra
                                        : model.telling() == field::Telling::Layers ? &model
                                                                                    : nullptr;
   if (stating) fidelity.genus = genusScore(scene.clouds, frame, *stating);
-  const bool namesClouds = !scene.clouds.empty() || scene.footprints.empty();
+  const bool namesClouds = !scene.clouds.empty() || scene.blobs.empty();
   countClouds(scene, frame, model.grid(), fidelity.columns);
   score(fidelity, namesClouds, tolerances);
   addWorst(fidelity);

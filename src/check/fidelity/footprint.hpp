@@ -1,19 +1,38 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <glm/mat2x2.hpp>
-#include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "check/fidelity/blob.hpp"
 
 namespace cloudgen::check {
 
-/// A soft blob of a written scene as one sees it from straight above: what it adds to the optical depth of a
-/// vertical ray, and at which height. Lengths in metres of the scene frame (x east, z south, y up).
+/// A viewer far away, and the height at which the rays to it are counted.
+struct View {
+  glm::vec3 toViewer{0, 1, 0}, right{1, 0, 0}, up{0, 0, -1};  ///< unit vectors; the default is from above
+  double levelMeters = 0;
+};
+
+/// A viewer at a zenith angle under 90 degrees and an azimuth (clockwise from north), head up. At the zenith
+/// and 180 degrees it is View{}: north is up.
+View viewFrom(double zenithDegrees, double azimuthDegrees, double levelMeters);
+
+/// What turning cards turn about: a place and the size of their metre.
+struct Pivot {
+  glm::vec3 place{0};
+  float scale = 1;
+};
+
+/// A soft blob of a written scene as a viewer far away sees it, cast along the rays onto a level: what it
+/// adds to the optical depth of a ray, and at which height. Lengths in metres of the scene frame (x east, z
+/// south, y up).
 struct Footprint {
-  glm::vec2 place{0};         ///< x and z of the centre
-  glm::mat2 toDeviations{1};  ///< from metres off the centre to standard deviations
+  glm::vec2 place{0};         ///< x and z where the ray through the centre meets the level
+  glm::mat2 toDeviations{1};  ///< from metres off it to standard deviations
   float opticalDepth = 0;     ///< of the ray through the centre
   float reach = 4;            ///< deviations beyond which it adds nothing
   bool square = false;        ///< cut off along two axes, as a card is, and not all around
@@ -25,17 +44,16 @@ struct Footprint {
   glm::vec2 halfSides() const;
 };
 
-/// A Gaussian blob with half-axes of one standard deviation (columns) whose optical depth along the shortest
-/// of them is `frontalOpticalDepth`: its exact integrals along vertical rays. They are followed out to four
-/// deviations, or to where they fall below 0.001.
-Footprint footprintOfBlob(const glm::vec3& center, const glm::mat3& halfAxes, float frontalOpticalDepth);
+/// What a view shows of a blob. Volumes are followed out to four deviations, or to where they fall below an
+/// optical depth of 0.001; cards end at their border, and are not seen nearly edge-on or from a side that is
+/// not drawn. The heights of turning cards are those that a viewer beside them sees.
+Footprint footprintOf(const Blob& blob, std::span<const Pivot> pivots, const View& view);
 
-/// A flat card with a Gaussian sprite: half-axes of one standard deviation, its border `reach` of them away.
-/// Drawn with one optical depth from wherever it is seen.
-Footprint footprintOfCard(const glm::vec3& center, const std::array<glm::vec3, 2>& halfAxes, float reach,
-                          float opticalDepth);
-
-/// True if a card or blob is seen from above at all: not edge-on, and every number finite.
+/// True if a card or blob is seen at all: not edge-on, and every number finite.
 bool isSeen(const Footprint& footprint);
+
+/// What a view shows of all blobs, in their order; those that are not seen are left out.
+std::vector<Footprint> footprintsOf(std::span<const Blob> blobs, std::span<const Pivot> pivots,
+                                    const View& view);
 
 }  // namespace cloudgen::check

@@ -9,16 +9,15 @@ namespace cloudgen::check {
 
 WrittenScene readSplatScene(const std::filesystem::path& file) {
   constexpr float kMostOpaque = 1 - 0x1p-24f;  // the last float before 1
-  WrittenScene scene{file.filename().string(), "splats", {}, {}, 0};
+  WrittenScene scene{file.filename().string(), "splats", {}, {}, {}, 0};
   const SplatFile read = readSplats(file);
-  scene.footprints.reserve(read.splats.size());
+  scene.blobs.reserve(read.splats.size());
   for (const ReadSplat& splat : read.splats) {
     glm::mat3 halfAxes = glm::mat3_cast(glm::normalize(splat.rotation));
     for (int axis = 0; axis < 3; ++axis) halfAxes[axis] *= splat.sigma[axis];
     if (splat.opacity >= kMostOpaque) ++scene.saturated;
     const float depth = -std::log1p(-std::min(splat.opacity, kMostOpaque));
-    const Footprint footprint = footprintOfBlob(splat.center, halfAxes, depth);
-    if (isSeen(footprint)) scene.footprints.push_back(footprint);
+    scene.blobs.push_back(volumeBlob(splat.center, halfAxes, depth));
   }
   return scene;
 }

@@ -20,11 +20,12 @@ struct WrittenCloud {
   std::optional<base::Genus> recorded, drawn;
 };
 
-/// What a written file shows from above.
+/// What a written file draws of clouds.
 struct WrittenScene {
-  std::string file, format;           ///< "scene.x3d", "x3d"
-  std::vector<Footprint> footprints;  ///< in the order of the file
-  std::vector<WrittenCloud> clouds;   ///< none in formats that do not name them
+  std::string file, format;          ///< "scene.x3d", "x3d"
+  std::vector<Blob> blobs;           ///< in the order of the file
+  std::vector<Pivot> pivots;         ///< of those that turn to the viewer
+  std::vector<WrittenCloud> clouds;  ///< none in formats that do not name them
   /// Blobs so dense that their opacity is that of any denser one: of their optical depth only a lower bound
   /// is written.
   std::uint64_t saturated = 0;
@@ -35,15 +36,24 @@ struct WrittenScene {
 /// does.
 WrittenScene readSplatScene(const std::filesystem::path& file);
 
-/// Reads the clouds of scene.x3d as a viewer high above the middle of the scene draws them, but near enough
-/// for the first level of every LOD: cards (pairs of triangles with an RGBA colour and a sprite texture)
-/// whose sprite falls off as a Gaussian of 1/2.2 of the half side and ends at the border, of optical depth
-/// -ln(1 - alpha); back faces are not drawn. A Billboard faces the viewer, its y axis to the north; the
-/// heights of its cards are those that a viewer beside the cloud sees. Shapes without sprites are no clouds.
+/// Reads the clouds of scene.x3d as a viewer far off draws them, but near enough for the first level of every
+/// LOD: cards (pairs of triangles with an RGBA colour and a sprite texture) whose sprite falls off as a
+/// Gaussian of 1/2.2 of the half side and ends at the border, of optical depth -ln(1 - alpha); back faces are
+/// not drawn. A Billboard faces the viewer, its y axis to where the viewer has up (north, from above). Shapes
+/// without sprites are no clouds.
 /// Throws InputError where the file is no XML, or is no such scene.
 WrittenScene readX3dScene(const std::filesystem::path& file, const base::Progress& progress);
 
 /// The same from bytes; `where` names them in messages.
 WrittenScene readX3dScene(std::string_view bytes, const std::string& where);
+
+/// Reads the clouds of scene.glb: meshes whose material blends a picture named by a genus ("Cu"), drawn once
+/// or, by EXT_mesh_gpu_instancing, once a cloud. Vertices that triangles join are a card with that sprite,
+/// its opacity the mean of theirs (COLOR_0), its falling off and its optical depth as in X3D. Each instance
+/// is a cloud, its record the genus in the node's extras. Throws InputError where the file is something else.
+WrittenScene readGlbScene(const std::filesystem::path& file);
+
+/// The same from bytes; `where` names them in messages.
+WrittenScene readGlbScene(std::string_view bytes, const std::string& where);
 
 }  // namespace cloudgen::check

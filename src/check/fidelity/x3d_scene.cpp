@@ -232,7 +232,7 @@ WrittenScene read(ByteSource& source, const std::string& where, const std::strin
   parseXml(source, visitor, findings, progress);
   if (!result.findings.empty())
     throw base::InputError(where, result.findings.front().message, "see `cloudgen validate`");
-  WrittenScene scene{name, "x3d", {}, {}, 0};
+  WrittenScene scene{name, "x3d", {}, {}, {}, 0};
   flatten(reader.nodes(), where, scene);
   return scene;
 }

@@ -2,81 +2,21 @@
 #include "check/gltf/read_splats.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <nlohmann/json.hpp>
-#include <span>
 
-#include "base/error.hpp"
 #include "base/file.hpp"
+#include "check/gltf/glb_parts.hpp"
 
 namespace cloudgen::check {
 namespace {
 
 using nlohmann::json;
 
-constexpr int kFloat = 5126;
-constexpr std::size_t kHeaderBytes = 12, kChunkHeaderBytes = 8;
-
-/// The two chunks of a GLB and the accessors into them.
-class Glb {
- public:
-  Glb(std::string_view bytes, std::string where) : where_(std::move(where)), bytes_(bytes) {
-    if (bytes_.size() < kHeaderBytes + kChunkHeaderBytes || bytes_.compare(0, 4, "glTF") != 0)
-      fail("is not a GLB file");
-    const std::size_t jsonBytes = word(kHeaderBytes),
-                      binaryStart = kHeaderBytes + 2 * kChunkHeaderBytes + jsonBytes;
-    if (jsonBytes > bytes_.size() - kHeaderBytes - kChunkHeaderBytes) fail("is cut short in its JSON chunk");
-    try {
-      root_ = json::parse(bytes_.substr(kHeaderBytes + kChunkHeaderBytes, jsonBytes));
-    } catch (const json::exception& error) {
-      fail(std::string("has a broken JSON chunk (") + error.what() + ")");
-    }
-    if (binaryStart > bytes_.size()) return;
-    const std::size_t binaryBytes = word(binaryStart - kChunkHeaderBytes);
-    if (binaryBytes > bytes_.size() - binaryStart) fail("is cut short in its binary chunk");
-    binary_ = bytes_.substr(binaryStart, binaryBytes);
-  }
-
-  const json& root() const { return root_; }
-
-  /// The floats of an accessor of `components` floats each.
-  std::vector<float> floats(std::size_t accessorIndex, std::size_t components) const {
-    const json& accessor = root_.at("accessors").at(accessorIndex);
-    const json& view = root_.at("bufferViews").at(accessor.at("bufferView").get<std::size_t>());
-    const auto count = accessor.at("count").get<std::size_t>();
-    const std::size_t start =
-        view.value("byteOffset", std::size_t{0}) + accessor.value("byteOffset", std::size_t{0});
-    if (accessor.at("componentType") != kFloat || view.contains("byteStride"))
-      fail("has splat attributes that are not plain floats");
-    if (count > binary_.size() / 4 / components || start > binary_.size() ||
-        count * components * 4 > binary_.size() - start)
-      fail("has an accessor outside its binary chunk");
-    std::vector<float> values(count * components);
-    if (!values.empty()) std::memcpy(values.data(), binary_.data() + start, values.size() * 4);
-    return values;
-  }
-
-  [[noreturn]] void fail(const std::string& what) const {
-    throw base::InputError(where_, what, "name a scene.splats.glb that cloudgen wrote, or its folder");
-  }
-
- private:
-  std::uint32_t word(std::size_t at) const {
-    std::uint32_t value;
-    std::memcpy(&value, bytes_.data() + at, 4);
-    return value;
-  }
-
-  std::string where_;
-  std::string_view bytes_, binary_;
-  json root_;
-};
-
 glm::vec3 triple(const std::vector<float>& values, std::size_t i) {
   return {values[3 * i], values[3 * i + 1], values[3 * i + 2]};
 }
 
-void readPrimitive(const Glb& glb, const json& attributes, const glm::vec3& translation,
+void readPrimitive(const GlbParts& glb, const json& attributes, const glm::vec3& translation,
                    std::vector<ReadSplat>& out) {
   const auto column = [&](const std::string& name, std::size_t components) {
     return glb.floats(attributes.at(name), components);
@@ -107,7 +47,7 @@ void readPrimitive(const Glb& glb, const json& attributes, const glm::vec3& tran
   }
 }
 
-void readTerrain(const Glb& glb, const json& from, base::HeightField& terrain) {
+void readTerrain(const GlbParts& glb, const json& from, base::HeightField& terrain) {
   terrain.columns = from.at("columns");
   terrain.rows = from.at("rows");
   terrain.origin = {from.at("origin").at(0), from.at("origin").at(1)};
@@ -131,7 +71,7 @@ SplatFile readSplats(const std::filesystem::path& file) {
 }
 
 SplatFile readSplats(std::string_view bytes, const std::string& where) {
-  const Glb glb(bytes, where);
+  const GlbParts glb(bytes, where, "name a scene.splats.glb that cloudgen wrote, or its folder");
   SplatFile out;
   try {
     const json& root = glb.root();

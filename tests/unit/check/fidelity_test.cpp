@@ -37,14 +37,14 @@ TEST(Fidelity, PopulatedColumnsAreScoredApart) {
   EXPECT_EQ(sky.verified().populatedCover->total.columns, 24u);
   // Of the first cell 99 of its 228 clouds are still named, and half of what is drawn there is gone.
   sky.scene.clouds.erase(sky.scene.clouds.begin() + 99, sky.scene.clouds.begin() + 228);
-  sky.scene.footprints.erase(sky.scene.footprints.begin(), sky.scene.footprints.begin() + 114);
+  sky.scene.blobs.erase(sky.scene.blobs.begin(), sky.scene.blobs.begin() + 114);
   Fidelity told = sky.verified();
   EXPECT_EQ(told.populatedCover->total.columns, 23u);
   EXPECT_LT(told.populatedCover->total.rmse, 0.03);
   EXPECT_GT(told.cover.total.rmse, 0.04);
   EXPECT_FALSE(breaks(told, "cover.populated.total.rmse"));
   // Every column half a tenth off: too much for populated ones.
-  for (Footprint& footprint : sky.scene.footprints) footprint.opticalDepth *= 0.6f;
+  for (Blob& blob : sky.scene.blobs) blob.strength *= 0.6f;
   told = sky.verified();
   EXPECT_TRUE(breaks(told, "cover.populated.total.bias"));
   sky.scene.clouds.clear();
@@ -53,10 +53,10 @@ TEST(Fidelity, PopulatedColumnsAreScoredApart) {
 
 TEST(Fidelity, TellsThatATenthOfTheCloudsIsMissing) {
   MadeSky sky;
-  std::vector<Footprint> kept;
-  for (std::size_t i = 0; i < sky.scene.footprints.size(); ++i)
-    if (i % 10 != 3) kept.push_back(sky.scene.footprints[i]);
-  sky.scene.footprints = kept;
+  std::vector<Blob> kept;
+  for (std::size_t i = 0; i < sky.scene.blobs.size(); ++i)
+    if (i % 10 != 3) kept.push_back(sky.scene.blobs[i]);
+  sky.scene.blobs = kept;
   const Fidelity told = sky.verified();
   EXPECT_TRUE(breaks(told, "cover.total.bias"));
   EXPECT_TRUE(breaks(told, "optical_depth.bias_relative"));
@@ -67,7 +67,7 @@ TEST(Fidelity, TellsThatATenthOfTheCloudsIsMissing) {
 TEST(Fidelity, TellsThatTheCloudsWereMovedByHalfACell) {
   MadeSky sky;
   const auto half = static_cast<float>(0.5 * field::cellSidesMeters(sky.model.grid(), 8).x);
-  for (Footprint& footprint : sky.scene.footprints) footprint.place.x += half;
+  for (Blob& blob : sky.scene.blobs) blob.center.x += half;
   const Fidelity told = sky.verified();
   EXPECT_TRUE(breaks(told, "cover.total.rmse"));
   EXPECT_TRUE(breaks(told, "optical_depth.correlation"));
@@ -75,7 +75,7 @@ TEST(Fidelity, TellsThatTheCloudsWereMovedByHalfACell) {
 
 TEST(Fidelity, TellsThatTheOpticalDepthWasDoubled) {
   MadeSky sky;
-  for (Footprint& footprint : sky.scene.footprints) footprint.opticalDepth *= 2;
+  for (Blob& blob : sky.scene.blobs) blob.strength *= 2;
   const Fidelity told = sky.verified();
   EXPECT_TRUE(breaks(told, "optical_depth.bias_relative"));
   EXPECT_NEAR(told.opticalDepth.biasRelative, 1, 0.02);
@@ -125,7 +125,7 @@ TEST(Fidelity, ATypingIsAskedForTypesBeforeTheModel) {
 
 TEST(Fidelity, TellsThatCloudsFloatTooHigh) {
   MadeSky sky;
-  for (Footprint& footprint : sky.scene.footprints) footprint.height += 300;
+  for (Blob& blob : sky.scene.blobs) blob.center.y += 300;
   const Fidelity told = sky.verified();
   EXPECT_TRUE(breaks(told, "base_m.rmse"));
   EXPECT_TRUE(breaks(told, "top_m.rmse"));
@@ -134,14 +134,14 @@ TEST(Fidelity, TellsThatCloudsFloatTooHigh) {
 
 TEST(Fidelity, TellsThatHighCloudsStandLow) {
   MadeSky sky;
-  for (Footprint& footprint : sky.scene.footprints)
-    if (footprint.height > 5000) footprint.height -= 5500;
+  for (Blob& blob : sky.scene.blobs)
+    if (blob.center.y > 5000) blob.center.y -= 5500;
   EXPECT_TRUE(breaks(sky.verified(), "cover.high.bias"));
 }
 
 TEST(Fidelity, AnEmptySceneIsWrongUnlessTheModelIsClear) {
   MadeSky sky;
-  sky.scene.footprints.clear();
+  sky.scene.blobs.clear();
   sky.scene.clouds.clear();
   const Fidelity told = sky.verified();
   EXPECT_TRUE(breaks(told, "cover.total.bias"));
@@ -154,7 +154,8 @@ TEST(Fidelity, AnEmptySceneIsWrongUnlessTheModelIsClear) {
 TEST(Fidelity, ABoxSmallerThanACellIsStillCompared) {
   MadeSky sky;
   const base::LocalFrame frame({11.05, 50.05, 11.2, 50.15});
-  const Fidelity told = compareWithModel({"made", "splats", {}, {}, 0}, frame, sky.model, nullptr, {}, {});
+  const Fidelity told =
+      compareWithModel({"made", "splats", {}, {}, {}, 0}, frame, sky.model, nullptr, {}, {});
   EXPECT_EQ(told.columns.size(), 1u);
   EXPECT_TRUE(breaks(told, "cover.total.bias"));
 }
@@ -167,11 +168,11 @@ TEST(Fidelity, RefusesAModelOfAnotherPlace) {
 
 TEST(Fidelity, NamesTheWorstColumn) {
   MadeSky sky;
-  const auto gone = [&](const Footprint& footprint) {
-    const auto place = sky.frame.toGeographic({footprint.place.x, 0, footprint.place.y});
+  const auto gone = [&](const Blob& blob) {
+    const auto place = sky.frame.toGeographic({blob.center.x, 0, blob.center.z});
     return place.x > 11 && place.x < 11.5 && place.y > 50 && place.y < 50.5;
   };
-  std::erase_if(sky.scene.footprints, gone);
+  std::erase_if(sky.scene.blobs, gone);
   const Fidelity told = sky.verified();
   ASSERT_FALSE(told.worst.front().columns.empty());
   EXPECT_EQ(told.worst.front().measure, "cover");

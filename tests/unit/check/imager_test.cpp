@@ -28,13 +28,21 @@ glm::mat3 stretched(const glm::quat& turn, const glm::vec3& sigma) {
   return axes;
 }
 
+Footprint volume(const glm::vec3& center, const glm::mat3& halfAxes, float frontalOpticalDepth) {
+  return footprintOf(volumeBlob(center, halfAxes, frontalOpticalDepth), {}, {});
+}
+
+Footprint card(const glm::vec3& center, const glm::vec3& right, const glm::vec3& up, float opticalDepth) {
+  return footprintOf(cardBlob(center, right, up, opticalDepth), {}, {});
+}
+
 SeenColumn look(const std::vector<Footprint>& footprints, double side, const ModelColumn& column = {}) {
   return Imager(footprints).look(raysOver(side), column);
 }
 
 TEST(Imager, ABallCoversACircleAndHoldsItsIntegral) {
   const double sigma = 100, depth = 5, side = 1000;
-  const auto seen = look({footprintOfBlob({0, 1000, 0}, glm::mat3(100), depth)}, side);
+  const auto seen = look({volume({0, 1000, 0}, glm::mat3(100), depth)}, side);
   const double radius = sigma * std::sqrt(2 * std::log(depth / kCloudyOpticalDepth));
   EXPECT_NEAR(seen.view.cover, std::numbers::pi * radius * radius / (side * side), 0.002);
   EXPECT_NEAR(seen.view.opticalDepth, 2 * std::numbers::pi * sigma * sigma * depth / (side * side), 0.002);
@@ -53,16 +61,15 @@ TEST(Imager, ATurnedBlobHoldsTheSameIntegral) {
   const double whole = frontal / 40 * 2 * std::numbers::pi * 150 * 40 * 80 / (side * side);
   for (const float angle : {0.0f, 0.4f, 1.1f, 1.5f}) {
     const auto axes = stretched(glm::angleAxis(angle, glm::normalize(glm::vec3(1, 0.3f, 0.5f))), sigma);
-    EXPECT_NEAR(look({footprintOfBlob({30, 1000, -50}, axes, frontal)}, side).view.opticalDepth / whole, 1,
-                0.01)
+    EXPECT_NEAR(look({volume({30, 1000, -50}, axes, frontal)}, side).view.opticalDepth / whole, 1, 0.01)
         << angle;
   }
 }
 
 TEST(Imager, CloudsAboveEachOtherAddUpAndPartByHeight) {
-  const std::vector<Footprint> footprints{footprintOfBlob({0, 1000, 0}, glm::mat3(100), 3),
-                                          footprintOfBlob({0, 4000, 0}, glm::mat3(100), 1),
-                                          footprintOfBlob({350, 9000, 0}, glm::mat3(50), 1)};
+  const std::vector<Footprint> footprints{volume({0, 1000, 0}, glm::mat3(100), 3),
+                                          volume({0, 4000, 0}, glm::mat3(100), 1),
+                                          volume({350, 9000, 0}, glm::mat3(50), 1)};
   const SeenColumn seen = look(footprints, 1000);
   const double area = 1e6;
   const auto circle = [&](double sigma, double depth) {
@@ -76,24 +83,23 @@ TEST(Imager, CloudsAboveEachOtherAddUpAndPartByHeight) {
 
 TEST(Imager, FindsBaseAndTop) {
   ModelColumn column;
-  const SeenColumn seen = look({footprintOfBlob({0, 1500, 0}, glm::mat3(100), 8)}, 1000, column);
+  const SeenColumn seen = look({volume({0, 1500, 0}, glm::mat3(100), 8)}, 1000, column);
   EXPECT_NEAR(seen.view.baseMeters.value(), 1500 - 164.5, 20);
   EXPECT_NEAR(seen.view.topMeters.value(), 1500 + 164.5, 20);
 }
 
 TEST(Imager, ALeaningBlobIsHigherOnOneSide) {
   const auto axes = stretched(glm::angleAxis(0.5f, glm::vec3(0, 0, 1)), {300, 30, 300});
-  const Footprint footprint = footprintOfBlob({0, 1000, 0}, axes, 1);
+  const Footprint footprint = volume({0, 1000, 0}, axes, 1);
   EXPECT_NEAR(footprint.heightSlope.x, std::tan(0.5), 0.02);
   EXPECT_NEAR(footprint.heightSlope.y, 0, 1e-6);
   EXPECT_LT(footprint.heightDeviation, 40);
 }
 
 TEST(Imager, ACardEndsAtItsBorder) {
-  const Footprint card = footprintOfCard({0, 500, 0}, {glm::vec3(100, 0, 0), glm::vec3(0, 0, -50)}, 2, 10);
-  const SeenColumn seen = look({card}, 1000);
-  EXPECT_NEAR(seen.view.cover, 400.0 * 200.0 / 1e6, 0.002);
-  EXPECT_FALSE(isSeen(footprintOfCard({0, 500, 0}, {glm::vec3(100, 0, 0), glm::vec3(0, 50, 0)}, 2, 10)));
+  const SeenColumn seen = look({card({0, 500, 0}, {100, 0, 0}, {0, 0, -50}, 10)}, 1000);
+  EXPECT_NEAR(seen.view.cover, 440.0 * 220.0 / 1e6, 0.002);
+  EXPECT_FALSE(isSeen(card({0, 500, 0}, {100, 0, 0}, {0, 50, 0}, 10)));
 }
 
 TEST(Imager, NothingIsSeenOfNothing) {

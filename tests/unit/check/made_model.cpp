@@ -35,8 +35,7 @@ MadeSky::MadeSky() : frame(model.box()) {
         axes[0][0] = axes[2][2] = static_cast<float>(sigma);
         axes[1][1] = static_cast<float>(upright);
         const double shortest = std::min(sigma, upright);
-        scene.footprints.push_back(
-            footprintOfBlob(center, axes, static_cast<float>(kPeak * shortest / upright)));
+        scene.blobs.push_back(volumeBlob(center, axes, static_cast<float>(kPeak * shortest / upright)));
         scene.clouds.push_back({{center.x, base, center.z}, genus, genus});
       }
   }

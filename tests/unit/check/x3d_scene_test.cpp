@@ -23,20 +23,26 @@ std::string card(const std::string& index, double alpha, bool level = false) {
          "'/></IndexedTriangleSet></Shape>";
 }
 
-WrittenScene seen(const std::string& nodes) {
+WrittenScene read(const std::string& nodes) {
   return readX3dScene("<X3D profile='Immersive' version='4.0'><Scene>" + nodes + "</Scene></X3D>",
                       "test.x3d");
+}
+
+/// What a viewer high above sees.
+std::vector<Footprint> seen(const std::string& nodes, const View& view = {}) {
+  const WrittenScene scene = read(nodes);
+  return footprintsOf(scene.blobs, scene.pivots, view);
 }
 
 const std::string kFront = "0 1 2 0 2 3", kBack = "0 2 1 0 3 2";
 
 TEST(X3dScene, ABillboardTurnsToTheViewer) {
-  const WrittenScene scene = seen(
+  const auto footprints = seen(
       "<Transform translation='1000 500 -2000' scale='2 2 2'><Transform translation='0 50 0'>"
       "<Billboard axisOfRotation='0 0 0'><Transform translation='10 20 5'>" +
       card(kFront, 0.5) + "</Transform></Billboard></Transform></Transform>");
-  ASSERT_EQ(scene.footprints.size(), 1u);
-  const Footprint& footprint = scene.footprints.front();
+  ASSERT_EQ(footprints.size(), 1u);
+  const Footprint& footprint = footprints.front();
   // Its x axis lies east, its y axis north; the heights are those seen from beside.
   EXPECT_FLOAT_EQ(footprint.place.x, 1020);
   EXPECT_FLOAT_EQ(footprint.place.y, -2040);
@@ -47,26 +53,25 @@ TEST(X3dScene, ABillboardTurnsToTheViewer) {
 }
 
 TEST(X3dScene, UprightCardsAreNotSeenAndLevelOnesAreFromTheirFront) {
-  EXPECT_EQ(seen(card(kFront, 0.5)).footprints.size(), 0u);
-  EXPECT_EQ(seen(card(kFront, 0.5, true)).footprints.size(), 1u);
-  EXPECT_EQ(seen(card(kBack, 0.5, true)).footprints.size(), 0u);
-  EXPECT_EQ(seen(card(kFront + " " + kBack, 0.5, true)).footprints.size(), 1u);
-  EXPECT_EQ(seen("<Transform rotation='1 0 0 3.14159'>" + card(kBack, 0.5, true) + "</Transform>")
-                .footprints.size(),
+  EXPECT_EQ(seen(card(kFront, 0.5)).size(), 0u);
+  EXPECT_EQ(seen(card(kFront, 0.5, true)).size(), 1u);
+  EXPECT_EQ(seen(card(kBack, 0.5, true)).size(), 0u);
+  EXPECT_EQ(seen(card(kFront + " " + kBack, 0.5, true)).size(), 1u);
+  EXPECT_EQ(seen("<Transform rotation='1 0 0 3.14159'>" + card(kBack, 0.5, true) + "</Transform>").size(),
             1u);
 }
 
 TEST(X3dScene, OnlyTheNearLevelCountsAndNamesAreFollowed) {
-  const WrittenScene scene = seen(
+  const auto footprints = seen(
       "<LOD DEF='Cloud'><Group>" + card(kFront, 0.2, true) + "</Group><Group>" + card(kFront, 0.9, true) +
       "</Group></LOD><Transform translation='100 0 0'><LOD USE='Cloud'/></Transform>");
-  ASSERT_EQ(scene.footprints.size(), 2u);
-  EXPECT_FLOAT_EQ(scene.footprints[1].place.x, 100);
-  EXPECT_NEAR(scene.footprints[1].opticalDepth, -std::log(0.8), 1e-5);
+  ASSERT_EQ(footprints.size(), 2u);
+  EXPECT_FLOAT_EQ(footprints[1].place.x, 100);
+  EXPECT_NEAR(footprints[1].opticalDepth, -std::log(0.8), 1e-5);
 }
 
 TEST(X3dScene, ReadsWhatACloudIs) {
-  const WrittenScene scene = seen(
+  const WrittenScene scene = read(
       "<Transform translation='5 900 7'><MetadataSet name='cloud'><MetadataString name='id genus rule' "
       "value='\"42\" \"Sc\" \"low.rolls\"'/></MetadataSet>" +
       card(kFront, 0.5, true) + "</Transform>");
@@ -77,14 +82,12 @@ TEST(X3dScene, ReadsWhatACloudIs) {
 }
 
 TEST(X3dScene, OpaqueCardsHideHowDenseTheyAre) {
-  const WrittenScene scene = seen(card(kFront, 1, true));
+  const WrittenScene scene = read(card(kFront, 1, true));
   EXPECT_EQ(scene.saturated, 1u);
-  EXPECT_NEAR(scene.footprints.front().opticalDepth, 7.6, 0.1);
+  EXPECT_NEAR(scene.blobs.front().strength, 7.6, 0.1);
 }
 
-TEST(X3dScene, OtherShapesAreNoClouds) {
-  EXPECT_TRUE(readX3dScene(goodScene(), "good.x3d").footprints.empty());
-}
+TEST(X3dScene, OtherShapesAreNoClouds) { EXPECT_TRUE(readX3dScene(goodScene(), "good.x3d").blobs.empty()); }
 
 TEST(X3dScene, RefusesWhatItCannotRead) {
   EXPECT_THROW(seen("<Group>"), base::InputError);
@@ -99,9 +102,7 @@ TEST(X3dScene, RefusesWhatItCannotRead) {
     doubled += "<Group DEF='D" + std::to_string(i + 1) + "'><Group USE='D" + std::to_string(i) +
                "'/><Group USE='D" + std::to_string(i) + "'/></Group>";
   EXPECT_THROW(seen(doubled), base::InputError) << "exponential growth";
-  EXPECT_EQ(
-      seen("<Group DEF='Self'><Group USE='Self'/>" + card(kFront, 0.5, true) + "</Group>").footprints.size(),
-      1u)
+  EXPECT_EQ(seen("<Group DEF='Self'><Group USE='Self'/>" + card(kFront, 0.5, true) + "</Group>").size(), 1u)
       << "a node cannot hold itself";
 }
 
