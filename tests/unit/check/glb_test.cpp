@@ -5,29 +5,12 @@
 
 #include "check/gltf/validate_glb.hpp"
 #include "unit/check/good_scene.hpp"
+#include "unit/check/made_glb.hpp"
 
 namespace cloudgen::check::test {
 namespace {
 
 using Json = nlohmann::json;
-
-void append(std::string& bytes, const void* data, std::size_t size) {
-  bytes.append(static_cast<const char*>(data), size);
-}
-void appendWord(std::string& bytes, std::uint32_t word) { append(bytes, &word, 4); }
-
-std::string container(std::string json, std::string binary) {
-  json.resize((json.size() + 3) / 4 * 4, ' ');
-  binary.resize((binary.size() + 3) / 4 * 4, '\0');
-  std::string bytes = "glTF";
-  appendWord(bytes, 2);
-  appendWord(bytes, static_cast<std::uint32_t>(28 + json.size() + binary.size()));
-  appendWord(bytes, static_cast<std::uint32_t>(json.size()));
-  bytes += "JSON" + json;
-  appendWord(bytes, static_cast<std::uint32_t>(binary.size()));
-  bytes += std::string("BIN\0", 4) + binary;
-  return bytes;
-}
 
 /// One triangle with indices.
 struct Triangle {

@@ -35,12 +35,9 @@ class MadeModel : public field::Source {
   field::Grid grid_;
 };
 
-/// What one cloud of the made scene is: a round Gaussian blob whose column integral is kPeak at its middle
-/// and that is cut off by the imager's own limits.
-inline constexpr double kPeak = 20;
-
-/// Radius, in deviations, within which a blob of kPeak is cloudy to the imager.
-double cloudyRadius();
+/// What a cloud of the made scene is: a round Gaussian blob, or a level square card, whose column integral is
+/// kPeak at its middle.
+inline constexpr double kPeak = 6;
 
 /// A model whose cells have cover by turns 0.5 and 0.2, with optical depths, bases, depths and genera that
 /// differ, and a scene of 12 x 19 clouds a cell that shows just that; the clouds of a cell lie on a lattice
@@ -50,7 +47,7 @@ struct MadeSky {
   base::LocalFrame frame;
   WrittenScene scene;
 
-  MadeSky();
+  explicit MadeSky(BlobKind kind = BlobKind::Volume);
   Fidelity verified() const;
 };
 

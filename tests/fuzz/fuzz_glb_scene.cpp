@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whatever the bytes are: reading the clouds of a GLB scene ends with blobs or with an InputError, and they
+// can be looked at.
+#include <cstdint>
+#include <string_view>
+
+#include "base/error.hpp"
+#include "check/fidelity/imager.hpp"
+#include "check/fidelity/written_scene.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace cloudgen;
+  try {
+    const auto scene =
+        check::readGlbScene(std::string_view(reinterpret_cast<const char*>(data), size), "fuzz.glb");
+    const auto footprints = check::footprintsOf(scene.blobs, scene.pivots, check::viewFrom(30, 90, 1000));
+    const glm::dvec2 rays[]{{0, 0}, {10, -20}, {1e6, 1e6}};
+    check::Imager(footprints).look(rays, {});
+  } catch (const base::InputError&) {
+  }
+  return 0;
+}
