@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/thread.hpp"
+#include "check/fidelity/even_places.hpp"
 #include "check/fidelity/genus_score.hpp"
 #include "check/fidelity/imager.hpp"
 
@@ -29,17 +30,13 @@ void leaveOutMargins(std::vector<ModelColumn>& columns) {
   });
 }
 
-/// Places evenly over a cell, by the additive recurrence of the plastic number (Roberts 2018), which repeats
-/// no lattice of clouds; those within the box, in the scene.
+/// Places evenly over a cell; those within the box, in the scene.
 std::vector<glm::dvec2> raysInto(const field::Grid& grid, std::uint32_t cell, int across,
                                  const base::LocalFrame& frame) {
-  constexpr double kPlastic = 1.32471795724474602596;
-  const double stepU = 1 / kPlastic, stepV = 1 / (kPlastic * kPlastic);
   std::vector<glm::dvec2> rays;
-  const auto wrapped = [](double value) { return value - std::floor(value); };
   for (int i = 0; i < across * across; ++i) {
-    const auto place =
-        field::pointIn(grid, cell, wrapped(0.5 + stepU * (i + 1)), wrapped(0.5 + stepV * (i + 1)));
+    const glm::dvec2 share = evenPlace(i);
+    const auto place = field::pointIn(grid, cell, share.x, share.y);
     if (!frame.box().contains(place.longitudeDegrees, place.latitudeDegrees)) continue;
     const glm::dvec3 scene = frame.toScene(place.longitudeDegrees, place.latitudeDegrees, 0);
     rays.emplace_back(scene.x, scene.z);
@@ -210,6 +207,14 @@ void judge(Fidelity& fidelity, const Tolerances& tolerances) {
   atLeast("optical_depth.correlation", fidelity.opticalDepth.correlation, tolerances.opticalDepthCorrelation);
   atMost("base_m.rmse", fidelity.base.rmse, fidelity.heightTolerance);
   atMost("top_m.rmse", fidelity.top.rmse, fidelity.heightTolerance);
+  for (const SlantedView& view : fidelity.slants.slanted) {
+    const SlantedView& vertical = fidelity.slants.vertical;
+    if (!fidelity.slants.volumes || !(vertical.opticalDepth > 0)) continue;
+    const std::string name = fmt::format("slanted.{:.0f}", view.zenithDegrees);
+    atMost(name + ".optical_depth", view.opticalDepth / vertical.opticalDepth - 1,
+           tolerances.slantedOpticalDepth);
+    atLeast(name + ".cover_gain", view.cover - vertical.cover, -tolerances.slantedCover);
+  }
   atLeast("genus.agreement", fidelity.genus.agreement(), tolerances.genusAgreement);
 }
 
@@ -253,6 +258,8 @@ Fidelity compareWithModel(const WrittenScene& scene, const base::LocalFrame& fra
       fidelity.columns[first + i] = {columns[first + i], seen.view, seen.drawnCover, 0};
     });
   }
+  fidelity.slants = lookAslant(scene, frame, progress);
+  fidelity.skyReports = lookUp(scene, frame, columns, progress);
   const field::Source* const stating = typing                                      ? typing
                                        : model.telling() == field::Telling::Layers ? &model
                                                                                    : nullptr;

@@ -8,6 +8,8 @@
 #include "base/frame.hpp"
 #include "base/progress.hpp"
 #include "check/fidelity/model_columns.hpp"
+#include "check/fidelity/sky_camera.hpp"
+#include "check/fidelity/slants.hpp"
 #include "check/fidelity/written_scene.hpp"
 
 namespace cloudgen::check {
@@ -18,6 +20,9 @@ struct Tolerances {
   double coverBias = 0.01, coverRmse = 0.10, populatedCoverRmse = 0.05;
   double opticalDepthBias = 0.02, opticalDepthCorrelation = 0.98;
   double heightRmseMeters = 150;
+  /// Of scenes of volumes: how far the optical depth of slanted rays may be from that of vertical ones, for
+  /// the same height, and how much less their cover may be.
+  double slantedOpticalDepth = 0.1, slantedCover = 0.02;
   double genusAgreement = 1;
 };
 
@@ -90,6 +95,8 @@ struct Fidelity {
   Score drawnCover, base, top;
   OpticalDepthScore opticalDepth;
   GenusScore genus;
+  Slants slants;
+  std::vector<SkyReport> skyReports;
   double heightTolerance = 150;
   std::vector<WorstColumns> worst;
   std::vector<Breach> breaches;

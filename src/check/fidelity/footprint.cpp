@@ -47,8 +47,8 @@ Footprint footprintOfVolume(const Blob& blob, const View& view) {
   out.place = castPoint(blob.center, view);
   out.toDeviations =
       glm::mat2(static_cast<float>(1 / a), static_cast<float>(-b / (a * c)), 0.0f, static_cast<float>(1 / c));
-  out.opticalDepth = static_cast<float>(
-      blob.strength / (2 * std::numbers::pi * std::sqrt(determinant) * static_cast<double>(view.toViewer.y)));
+  out.opticalDepth = static_cast<float>(blob.strength / (2 * std::numbers::pi * std::sqrt(determinant) *
+                                                         std::abs(static_cast<double>(view.toViewer.y))));
   out.reach = reachOf(out.opticalDepth);
   out.height = blob.center.y;
   const double yx = between(upwards, alongX), yz = between(upwards, alongZ);
@@ -94,12 +94,18 @@ Footprint footprintOfTurning(const Blob& blob, const Pivot& pivot, const View& v
 View viewFrom(double zenithDegrees, double azimuthDegrees, double levelMeters) {
   const double zenith = zenithDegrees * std::numbers::pi / 180,
                azimuth = azimuthDegrees * std::numbers::pi / 180;
+  return viewAlong(glm::vec3(glm::dvec3(std::sin(zenith) * std::sin(azimuth), std::cos(zenith),
+                                        -std::sin(zenith) * std::cos(azimuth))),
+                   levelMeters);
+}
+
+View viewAlong(const glm::vec3& toViewer, double levelMeters) {
   View view;
-  view.toViewer = glm::vec3(glm::dvec3(std::sin(zenith) * std::sin(azimuth), std::cos(zenith),
-                                       -std::sin(zenith) * std::cos(azimuth)));
-  view.up = glm::vec3(glm::dvec3(-std::cos(zenith) * std::sin(azimuth), std::sin(zenith),
-                                 std::cos(zenith) * std::cos(azimuth)));
-  view.right = glm::cross(view.up, view.toViewer);
+  const float flat = std::hypot(toViewer.x, toViewer.z);
+  view.toViewer = toViewer;
+  // Straight above or below there is no up but north.
+  if (flat > 1e-6f) view.right = glm::vec3(toViewer.z, 0, -toViewer.x) / flat;
+  view.up = glm::cross(view.toViewer, view.right);
   view.levelMeters = levelMeters;
   return view;
 }

@@ -17,8 +17,11 @@ struct View {
   double levelMeters = 0;
 };
 
-/// A viewer at a zenith angle under 90 degrees and an azimuth (clockwise from north), head up. At the zenith
-/// and 180 degrees it is View{}: north is up.
+/// A viewer in the direction of a unit vector, head up; not in the level itself (y = 0).
+View viewAlong(const glm::vec3& toViewer, double levelMeters);
+
+/// A viewer at a zenith angle under 90 degrees and an azimuth (clockwise from north), head up; at the
+/// zenith its head is to the north.
 View viewFrom(double zenithDegrees, double azimuthDegrees, double levelMeters);
 
 /// What turning cards turn about: a place and the size of their metre.

@@ -29,6 +29,7 @@ struct WrittenScene {
   /// Blobs so dense that their opacity is that of any denser one: of their optical depth only a lower bound
   /// is written.
   std::uint64_t saturated = 0;
+  double groundMeters = 0;  ///< where one stands to look up; the reader leaves it at the sea
 };
 
 /// Reads scene.splats.glb. A splat's opacity o stands for the optical depth -ln(1 - o) of its centre seen
