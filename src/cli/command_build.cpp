@@ -134,7 +134,8 @@ int build(const BuildLine& line, const Terminal& terminal) {
   write(false);
   std::optional<nlohmann::ordered_json> verification;
   if (line.verify) {
-    verification = verifyWritten(folder.path(), outcome.scene.frame, *source, typing.get(), progress);
+    verification = verifyWritten(folder.path(), outcome.scene.frame, outcome.scene.groundHeightMeters,
+                                 *source, typing.get(), progress);
     destination.verification = verification->dump();
     watch.lap("verify");
   }

@@ -30,6 +30,7 @@ struct VerifyLine {
 struct SceneReport {
   base::GeoBox box;
   std::string definition, validTime;
+  double groundMeters = 0;
 };
 
 SceneReport readReport(const fs::path& folder) {
@@ -39,7 +40,8 @@ SceneReport readReport(const fs::path& folder) {
     const auto& box = report.at("bbox");
     return {{box.at(0), box.at(1), box.at(2), box.at(3)},
             report.at("frame").at("definition"),
-            report.at("valid_times").at(0)};
+            report.at("valid_times").at(0),
+            report.at("frame").at("ground_m")};
   } catch (const nlohmann::json::exception& error) {
     throw base::InputError(file.string(), std::string("is not a report of cloudgen (") + error.what() + ")",
                            "name the folder of a scene, or build it again");
@@ -92,8 +94,10 @@ int verify(const VerifyLine& line, const Terminal& terminal) {
     terminal.warn(fmt::format("the scene is valid at {}, the input at {}", report.validTime,
                               base::isoText(source->info().validTime)));
   const check::Tolerances tolerances;
-  const check::Fidelity fidelity = check::compareWithModel(
-      readWritten(line.folder, line.format, progress), frame, *source, typing.get(), tolerances, progress);
+  check::WrittenScene scene = readWritten(line.folder, line.format, progress);
+  scene.groundMeters = report.groundMeters;
+  const check::Fidelity fidelity =
+      check::compareWithModel(scene, frame, *source, typing.get(), tolerances, progress);
   if (!line.noMaps) writeMaps(line, fidelity, source->grid(), report.box, terminal);
   if (line.json)
     print(fidelityJson(fidelity, tolerances).dump(2));

@@ -59,11 +59,52 @@ ordered_json tolerancesOf(const Fidelity& fidelity, const check::Tolerances& tol
           {"optical_depth_bias_relative", tolerances.opticalDepthBias},
           {"optical_depth_correlation", tolerances.opticalDepthCorrelation},
           {"base_and_top_rmse_m", rounded(fidelity.heightTolerance, 10)},
+          {"slanted_optical_depth", tolerances.slantedOpticalDepth},
+          {"slanted_cover", tolerances.slantedCover},
           {"genus_agreement", tolerances.genusAgreement}};
 }
 
+ordered_json slantedOf(const check::Slants& slants) {
+  const auto viewOf = [](const check::SlantedView& view) {
+    return ordered_json{{"zenith_degrees", view.zenithDegrees},
+                        {"cover", rounded(view.cover, 1e4)},
+                        {"optical_depth", rounded(view.opticalDepth, 1e4)},
+                        {"optical_depth_error", rounded(view.opticalDepthError, 1e4)}};
+  };
+  ordered_json views = ordered_json::array({viewOf(slants.vertical)});
+  for (const check::SlantedView& view : slants.slanted) views.push_back(viewOf(view));
+  return {{"views", std::move(views)}, {"rays", slants.rays}, {"judged", slants.volumes}};
+}
+
+/// Means over the cameras, in octas.
+struct SkyAmount {
+  double scene = 0, model = 0;
+};
+
+SkyAmount skyAmountOf(const std::vector<check::SkyReport>& reports) {
+  SkyAmount amount;
+  for (const check::SkyReport& report : reports) {
+    amount.scene += 8 * report.skyCover / static_cast<double>(reports.size());
+    amount.model += 8 * report.modelCover / static_cast<double>(reports.size());
+  }
+  return amount;
+}
+
+ordered_json skyOf(const std::vector<check::SkyReport>& reports) {
+  const SkyAmount amount = skyAmountOf(reports);
+  ordered_json places = ordered_json::array();
+  for (const check::SkyReport& report : reports)
+    places.push_back({{"longitude", rounded(report.longitudeDegrees, 1e4)},
+                      {"latitude", rounded(report.latitudeDegrees, 1e4)},
+                      {"octas", check::octasOf(report.skyCover)},
+                      {"model_octas", check::octasOf(report.modelCover)}});
+  return {{"bias_octas", rounded(amount.scene - amount.model, 100)},
+          {"zenith_degrees", check::kSkyZenithDegrees},
+          {"cameras", std::move(places)}};
+}
+
 std::string line(const std::string& name, const std::string& text, bool broken) {
-  return fmt::format("  {:<14} {}{}\n", name, text, broken ? "   <- out of tolerance" : "");
+  return fmt::format("  {:<15} {}{}\n", name, text, broken ? "   <- out of tolerance" : "");
 }
 
 bool isBroken(const Fidelity& fidelity, const std::string& prefix) {
@@ -86,6 +127,21 @@ std::string populatedText(const std::optional<check::CoverScores>& scores) {
   if (scores->total.columns == 0) return "no column has 100 clouds or a full sheet";
   return fmt::format("{}   ({} columns of 100 clouds or a full sheet)", coverText(scores->total),
                      scores->total.columns);
+}
+
+std::string slantedText(const check::Slants& slants) {
+  std::string text;
+  for (const check::SlantedView& view : slants.slanted)
+    text += fmt::format(
+        "{}{:.0f} deg: cover {:+.3f}, optical depth {:+.1f} %", text.empty() ? "" : "   ", view.zenithDegrees,
+        view.cover - slants.vertical.cover,
+        slants.vertical.opticalDepth > 0 ? 100 * (view.opticalDepth / slants.vertical.opticalDepth - 1) : 0);
+  return text + (slants.volumes ? "" : "   (cards: not judged)");
+}
+
+std::string groundText(const std::vector<check::SkyReport>& reports) {
+  const SkyAmount amount = skyAmountOf(reports);
+  return fmt::format("{:.1f} octas of {} cameras, model {:.1f}", amount.scene, reports.size(), amount.model);
 }
 
 std::string worstText(const Fidelity& fidelity) {
@@ -126,6 +182,8 @@ ordered_json fidelityJson(const Fidelity& fidelity, const check::Tolerances& tol
   const auto agreement = fidelity.genus.agreement();
   json["genus"] = {{"agreement", agreement ? ordered_json(rounded(*agreement, 1e6)) : ordered_json(nullptr)},
                    {"clouds", fidelity.genus.clouds}};
+  json["slanted"] = slantedOf(fidelity.slants);
+  json["from_the_ground"] = skyOf(fidelity.skyReports);
   json["worst"] = worstOf(fidelity);
   json["instrument"] = {{"rays_across_a_column", fidelity.raysAcross},
                         {"cloudy_optical_depth", check::kCloudyOpticalDepth},
@@ -167,6 +225,8 @@ std::string fidelityText(const Fidelity& fidelity, const check::Tolerances& tole
                agreement ? fmt::format("{:.1f} % of {} clouds", 100 * *agreement, fidelity.genus.clouds)
                          : "nothing to compare: the input states none, or the format names no clouds",
                isBroken(fidelity, "genus"));
+  text += line("aslant", slantedText(fidelity.slants), isBroken(fidelity, "slanted"));
+  text += line("from the ground", groundText(fidelity.skyReports), false);
   text += worstText(fidelity);
   text += fmt::format(
       "  tolerated: cover {} bias, {} rmse ({} populated); optical depth {:.0f} %, correlation {}; heights "

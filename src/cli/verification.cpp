@@ -25,11 +25,12 @@ check::WrittenScene readWritten(const std::filesystem::path& folder, const std::
 }
 
 nlohmann::ordered_json verifyWritten(const std::filesystem::path& folder, const base::LocalFrame& frame,
-                                     const field::Source& model, const field::Source* typing,
-                                     const base::Progress& progress) {
+                                     double groundMeters, const field::Source& model,
+                                     const field::Source* typing, const base::Progress& progress) {
   const check::Tolerances tolerances;
-  const check::Fidelity fidelity = check::compareWithModel(readWritten(folder, "auto", progress), frame,
-                                                           model, typing, tolerances, progress);
+  check::WrittenScene scene = readWritten(folder, "auto", progress);
+  scene.groundMeters = groundMeters;
+  const check::Fidelity fidelity = check::compareWithModel(scene, frame, model, typing, tolerances, progress);
   std::filesystem::create_directory(folder / "verify");
   writeFidelityMaps(fidelity, model.grid(), frame.box(), folder / "verify");
   return fidelityJson(fidelity, tolerances);

@@ -17,10 +17,11 @@ namespace cloudgen::cli {
 check::WrittenScene readWritten(const std::filesystem::path& folder, const std::string& format,
                                 const base::Progress& progress);
 
-/// Reads a scene that a build has written to a folder ("auto"), compares it with its model and draws the maps
-/// into its folder verify/. Returns what fidelityJson says. Throws InputError, OutputError.
+/// Reads a scene that a build has written to a folder ("auto") on ground of a height, compares it with its
+/// model and draws the maps into its folder verify/. Returns what fidelityJson says. Throws InputError,
+/// OutputError.
 nlohmann::ordered_json verifyWritten(const std::filesystem::path& folder, const base::LocalFrame& frame,
-                                     const field::Source& model, const field::Source* typing,
-                                     const base::Progress& progress);
+                                     double groundMeters, const field::Source& model,
+                                     const field::Source* typing, const base::Progress& progress);
 
 }  // namespace cloudgen::cli

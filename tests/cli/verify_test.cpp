@@ -28,7 +28,7 @@ class Verify : public ::testing::Test {
  protected:
   void SetUp() override {
     const Ran ran =
-        runCloudgen({"build", sky, "-o", scene, "--formats", "x3d,splats", "--max-puffs", "20000"});
+        runCloudgen({"build", sky, "-o", scene, "--formats", "x3d,splats,glb", "--max-puffs", "20000"});
     ASSERT_EQ(ran.exitCode, 0) << ran.err;
   }
   /// The result for one of the formats, checked against its schema and the exit code.
@@ -101,6 +101,10 @@ TEST_F(Verify, ComparesEachFormatWithTheModel) {
     EXPECT_EQ(result.at("worst").at("cover").size(),
               result.at("columns").get<std::size_t>() > 5 ? 5u : result.at("columns").get<std::size_t>());
   }
+  const json cards = verified("glb");
+  EXPECT_EQ(cards.at("read").at("file"), "scene.glb");
+  EXPECT_EQ(cards.at("genus").at("agreement"), 1);
+  EXPECT_EQ(cards.at("genus").at("clouds"), verified("x3d").at("genus").at("clouds"));
   EXPECT_EQ(verified("x3d").at("genus").at("agreement"), 1);
   EXPECT_EQ(verified("auto").at("genus").at("agreement"), 1);
   EXPECT_TRUE(verified("splats").at("genus").at("agreement").is_null());
@@ -123,6 +127,20 @@ TEST_F(Verify, TellsDoubledOpticalDepth) {
   const json doubled = verified("splats");
   EXPECT_NEAR(doubled.at("optical_depth").at("scene_mean").get<double>() / depth, 2, 0.02);
   EXPECT_TRUE(breaks(doubled, "optical_depth.bias_relative"));
+}
+
+TEST_F(Verify, LooksAslantAndFromTheGround) {
+  const json result = verified("splats");
+  EXPECT_TRUE(result.at("slanted").at("judged").get<bool>());
+  EXPECT_FALSE(verified("x3d").at("slanted").at("judged").get<bool>());
+  const json& views = result.at("slanted").at("views");
+  // Of what hangs over the border only the box as a whole knows.
+  EXPECT_NEAR(views.at(0).at("optical_depth").get<double>(),
+              result.at("optical_depth").at("scene_mean").get<double>(), 0.6);
+  EXPECT_NEAR(views.at(2).at("optical_depth").get<double>(), views.at(0).at("optical_depth").get<double>(),
+              0.2);
+  for (const json& camera : result.at("from_the_ground").at("cameras"))
+    EXPECT_GE(camera.at("octas").get<int>(), 5);
 }
 
 TEST_F(Verify, TellsSwappedTypes) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "base/error.hpp"
 
@@ -69,7 +70,6 @@ class Walk {
   }
 
   void add(const Card& card, const Pose& pose) {
-    if (card.alpha >= kMostOpaque) ++scene_.saturated;
     Blob blob = cardBlob(pointOf(pose.matrix, card.center), vectorOf(pose.matrix, card.right) / kCardReach,
                          vectorOf(pose.matrix, card.up) / kCardReach, opticalDepthOf(card.alpha));
     blob.front = card.front;
@@ -89,7 +89,18 @@ class Walk {
 
 }  // namespace
 
-float opticalDepthOf(float alpha) { return -std::log1p(-std::clamp(alpha, 0.0f, kMostOpaque)); }
+float opticalDepthOf(float alpha) { return -std::log1p(-std::clamp(alpha, 0.0f, 1.0f)); }
+
+void boundSaturated(WrittenScene& scene, float mostOpaque) {
+  float least = opticalDepthOf(mostOpaque);
+  for (const Blob& blob : scene.blobs)
+    if (std::isfinite(blob.strength)) least = std::max(least, blob.strength);
+  for (Blob& blob : scene.blobs) {
+    if (blob.strength != std::numeric_limits<float>::infinity()) continue;
+    blob.strength = least;
+    ++scene.saturated;
+  }
+}
 
 void flatten(const std::vector<CardNode>& nodes, const std::string& where, WrittenScene& scene) {
   if (!nodes.empty()) Walk(nodes, where, scene).visit(0, {}, nullptr);

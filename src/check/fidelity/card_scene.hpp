@@ -33,11 +33,12 @@ struct CardNode {
   int depth = 1;  ///< of the graph below it
 };
 
-/// Alpha from which on a card may have any optical depth from 7.6 on: writers keep three decimals.
-inline constexpr float kMostOpaque = 0.9995f;
-
-/// Optical depth of the centre of a card.
+/// Optical depth of the centre of a card; infinite where its alpha is 1.
 float opticalDepthOf(float alpha);
+
+/// Counts the cards whose alpha is 1 and gives them the optical depth that they have at least: that of
+/// `mostOpaque`, the largest alpha that may have been rounded to 1, or that of the most opaque other card.
+void boundSaturated(WrittenScene& scene, float mostOpaque);
 
 /// Walks the graph from the first node down and adds the cards and clouds that are drawn. Throws InputError,
 /// naming `where`, if the scene draws more than can be held.

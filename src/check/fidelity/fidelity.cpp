@@ -211,8 +211,9 @@ void judge(Fidelity& fidelity, const Tolerances& tolerances) {
     const SlantedView& vertical = fidelity.slants.vertical;
     if (!fidelity.slants.volumes || !(vertical.opticalDepth > 0)) continue;
     const std::string name = fmt::format("slanted.{:.0f}", view.zenithDegrees);
+    const double chance = 3 * std::hypot(view.opticalDepthError, vertical.opticalDepthError);
     atMost(name + ".optical_depth", view.opticalDepth / vertical.opticalDepth - 1,
-           tolerances.slantedOpticalDepth);
+           tolerances.slantedOpticalDepth + chance / vertical.opticalDepth);
     atLeast(name + ".cover_gain", view.cover - vertical.cover, -tolerances.slantedCover);
   }
   atLeast("genus.agreement", fidelity.genus.agreement(), tolerances.genusAgreement);

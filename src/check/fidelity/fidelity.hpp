@@ -21,8 +21,8 @@ struct Tolerances {
   double opticalDepthBias = 0.02, opticalDepthCorrelation = 0.98;
   double heightRmseMeters = 150;
   /// Of scenes of volumes: how far the optical depth of slanted rays may be from that of vertical ones, for
-  /// the same height, and how much less their cover may be.
-  double slantedOpticalDepth = 0.1, slantedCover = 0.02;
+  /// the same height and beside three standard errors, and how much less their cover may be.
+  double slantedOpticalDepth = 0.05, slantedCover = 0.02;
   double genusAgreement = 1;
 };
 

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
@@ -133,7 +132,6 @@ class Reader {
   }
 
   void add(const Card& card, const glm::vec3& translation, const Place& place) {
-    if (card.alpha >= kMostOpaque) ++scene_.saturated;
     Blob blob =
         cardBlob(translation + place.shift + place.axes * card.center, place.axes * card.right / kCardReach,
                  place.axes * card.up / kCardReach, opticalDepthOf(card.alpha));
@@ -215,7 +213,9 @@ WrittenScene readGlbScene(const std::filesystem::path& file) {
 
 WrittenScene readGlbScene(std::string_view bytes, const std::string& where) {
   WrittenScene scene{where, "glb", {}, {}, {}, 0};
+  constexpr float kMostOpaque = 1 - 0.5f / 65535;  // opacities are whole shares of 65535
   Reader(bytes, where, scene).read();
+  boundSaturated(scene, kMostOpaque);
   return scene;
 }
 

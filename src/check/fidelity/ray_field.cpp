@@ -73,4 +73,11 @@ double RayField::meanOpticalDepth() const {
          static_cast<double>(places_.size());
 }
 
+double RayField::opticalDepthError() const {
+  const double mean = meanOpticalDepth();
+  double squares = 0;
+  for (const double depth : opticalDepths_) squares += (depth - mean) * (depth - mean);
+  return std::sqrt(squares) / static_cast<double>(std::max<std::size_t>(1, opticalDepths_.size()));
+}
+
 }  // namespace cloudgen::check

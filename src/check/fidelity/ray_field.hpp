@@ -19,6 +19,8 @@ class RayField {
   /// Share of the rays that meet more than kCloudyOpticalDepth.
   double cover() const;
   double meanOpticalDepth() const;
+  /// Standard error of the mean, as if the rays were independent.
+  double opticalDepthError() const;
 
  private:
   std::vector<glm::vec2> places_;  ///< bin by bin

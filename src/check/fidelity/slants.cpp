@@ -19,11 +19,9 @@ constexpr int kAzimuths = 4;
 constexpr std::array<double, 2> kZeniths{30, 60};
 constexpr int kMostRepeats = 4;  ///< of the box to each side, for blobs wider than it
 
-struct Seen {
-  double cover = 0, opticalDepth = 0;
-};
-
-Seen look(const WrittenScene& scene, const View& view, const glm::dvec2& lower, const glm::dvec2& size) {
+/// Not yet times the cosine.
+SlantedView look(const WrittenScene& scene, const View& view, const glm::dvec2& lower,
+                 const glm::dvec2& size) {
   std::vector<glm::vec2> places;
   for (int i = 0; i < kRays; ++i) places.emplace_back(evenPlace(i) * size);
   RayField field(std::move(places));
@@ -43,7 +41,7 @@ Seen look(const WrittenScene& scene, const View& view, const glm::dvec2& lower, 
       for (int column = west; column <= east; ++column)
         field.add(footprint, glm::vec2(place + glm::dvec2(column, row) * size), 1);
   }
-  return {field.cover(), field.meanOpticalDepth()};
+  return {0, field.cover(), field.meanOpticalDepth(), field.opticalDepthError()};
 }
 
 /// Share of the rectangle around the box that lies in the box.
@@ -75,21 +73,25 @@ Slants lookAslant(const WrittenScene& scene, const base::LocalFrame& frame, cons
   for (const double zenith : kZeniths)
     for (int i = 0; i < kAzimuths; ++i) views.push_back(viewFrom(zenith, 45 + i * 360.0 / kAzimuths, level));
   progress.step("verify: slanted rays", 0);
-  std::vector<Seen> seen(views.size());
+  std::vector<SlantedView> seen(views.size());
   base::parallelFor(views.size(), [&](std::size_t i) { seen[i] = look(scene, views[i], lower, size); });
 
   const double inBox = shareInBox(frame, lower, size);
-  slants.vertical = {0, std::min(1.0, seen[0].cover / inBox), seen[0].opticalDepth / inBox};
-  for (std::size_t z = 0; z < kZeniths.size(); ++z) {
-    SlantedView view{kZeniths[z], 0, 0};
-    for (std::size_t i = 0; i < kAzimuths; ++i) {
-      const Seen& one = seen[1 + z * kAzimuths + i];
-      view.cover += std::min(1.0, one.cover / inBox) / kAzimuths;
-      view.opticalDepth +=
-          one.opticalDepth / inBox * std::cos(kZeniths[z] * std::numbers::pi / 180) / kAzimuths;
+  const auto mean = [&](double zenithDegrees, std::span<const SlantedView> azimuths) {
+    SlantedView view{zenithDegrees};
+    const auto count = static_cast<double>(azimuths.size());
+    const double upright = std::cos(zenithDegrees * std::numbers::pi / 180) / (inBox * count);
+    for (const SlantedView& one : azimuths) {
+      view.cover += std::min(1.0, one.cover / inBox) / count;
+      view.opticalDepth += upright * one.opticalDepth;
+      view.opticalDepthError = std::hypot(view.opticalDepthError, upright * one.opticalDepthError);
     }
-    slants.slanted.push_back(view);
-  }
+    return view;
+  };
+  const std::span<const SlantedView> all(seen);
+  slants.vertical = mean(0, all.first(1));
+  for (std::size_t z = 0; z < kZeniths.size(); ++z)
+    slants.slanted.push_back(mean(kZeniths[z], all.subspan(1 + z * kAzimuths, kAzimuths)));
   progress.step("verify: slanted rays", 1);
   return slants;
 }

@@ -12,8 +12,9 @@ namespace cloudgen::check {
 /// What parallel rays at one zenith angle see of the whole box, four azimuths together.
 struct SlantedView {
   double zenithDegrees = 0;
-  double cover = 0;         ///< share of the rays that meet cloud
-  double opticalDepth = 0;  ///< mean along the rays, times the cosine of the zenith angle
+  double cover = 0;              ///< share of the rays that meet cloud
+  double opticalDepth = 0;       ///< mean along the rays, times the cosine of the zenith angle
+  double opticalDepthError = 0;  ///< its standard error, at most
 };
 
 struct Slants {

@@ -234,6 +234,8 @@ WrittenScene read(ByteSource& source, const std::string& where, const std::strin
     throw base::InputError(where, result.findings.front().message, "see `cloudgen validate`");
   WrittenScene scene{name, "x3d", {}, {}, {}, 0};
   flatten(reader.nodes(), where, scene);
+  constexpr float kMostOpaque = 0.9995f;  // written with three decimals at least
+  boundSaturated(scene, kMostOpaque);
   return scene;
 }
 

@@ -85,6 +85,10 @@ TEST(X3dScene, OpaqueCardsHideHowDenseTheyAre) {
   const WrittenScene scene = read(card(kFront, 1, true));
   EXPECT_EQ(scene.saturated, 1u);
   EXPECT_NEAR(scene.blobs.front().strength, 7.6, 0.1);
+  // Where finer opacities are told apart, 1 is more than each of them.
+  const WrittenScene fine = read(card(kFront, 1, true) + card(kFront, 0.9999, true));
+  EXPECT_EQ(fine.saturated, 1u);
+  EXPECT_NEAR(fine.blobs[0].strength, 9.2, 0.1);
 }
 
 TEST(X3dScene, OtherShapesAreNoClouds) { EXPECT_TRUE(readX3dScene(goodScene(), "good.x3d").blobs.empty()); }
