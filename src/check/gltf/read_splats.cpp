@@ -17,7 +17,7 @@ glm::vec3 triple(const std::vector<float>& values, std::size_t i) {
 }
 
 void readPrimitive(const GlbParts& glb, const json& attributes, const glm::vec3& translation,
-                   std::vector<ReadSplat>& out) {
+                   const std::function<void(const ReadSplat&)>& visit) {
   const auto column = [&](const std::string& name, std::size_t components) {
     return glb.floats(attributes.at(name), components);
   };
@@ -43,7 +43,7 @@ void readPrimitive(const GlbParts& glb, const json& attributes, const glm::vec3&
     splat.opacity = opacities[i];
     splat.color = triple(base, i) * 0.2820947917738781f + 0.5f;
     for (std::size_t k = 0; hasDegree1 && k < 3; ++k) splat.harmonics[k] = triple(harmonics[k], i);
-    out.push_back(splat);
+    visit(splat);
   }
 }
 
@@ -71,6 +71,14 @@ SplatFile readSplats(const std::filesystem::path& file) {
 }
 
 SplatFile readSplats(std::string_view bytes, const std::string& where) {
+  std::vector<ReadSplat> splats;
+  SplatFile out = readSplats(bytes, where, [&](const ReadSplat& splat) { splats.push_back(splat); });
+  out.splats = std::move(splats);
+  return out;
+}
+
+SplatFile readSplats(std::string_view bytes, const std::string& where,
+                     const std::function<void(const ReadSplat&)>& visit) {
   const GlbParts glb(bytes, where, "name a scene.splats.glb that cloudgen wrote, or its folder");
   SplatFile out;
   try {
@@ -84,7 +92,7 @@ SplatFile readSplats(std::string_view bytes, const std::string& where) {
       for (const json& primitive : root.at("meshes").at(node["mesh"].get<std::size_t>()).at("primitives")) {
         if (!primitive.contains("extensions") || !primitive["extensions"].contains("KHR_gaussian_splatting"))
           glb.fail("has a primitive without splats");
-        readPrimitive(glb, primitive.at("attributes"), translation, out.splats);
+        readPrimitive(glb, primitive.at("attributes"), translation, visit);
       }
     }
     const json extras = root.value("asset", json::object()).value("extras", json::object());

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 #include <string>
@@ -34,5 +35,9 @@ SplatFile readSplats(const std::filesystem::path& file);
 
 /// The same from the bytes of a file; `where` names it in messages.
 SplatFile readSplats(std::string_view bytes, const std::string& where);
+
+/// The same, but hands every splat over instead of keeping it.
+SplatFile readSplats(std::string_view bytes, const std::string& where,
+                     const std::function<void(const ReadSplat&)>& visit);
 
 }  // namespace cloudgen::check
