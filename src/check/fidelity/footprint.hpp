@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <glm/mat2x2.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -43,6 +45,14 @@ struct Footprint {
   glm::vec2 heightSlope{0};   ///< metres up for a metre in x and in z
   float heightDeviation = 0;  ///< standard deviation of height along a ray
 
+  /// The optical depth that it adds so many metres off its place.
+  float opticalDepthAt(const glm::vec2& off) const {
+    const glm::vec2 deviations = toDeviations * off;
+    const float distance = glm::dot(deviations, deviations);
+    const bool met = square ? std::abs(deviations.x) <= reach && std::abs(deviations.y) <= reach
+                            : distance <= reach * reach;
+    return met ? opticalDepth * std::exp(-0.5f * distance) : 0.0f;
+  }
   /// Half the sides of the box around what it covers.
   glm::vec2 halfSides() const;
 };

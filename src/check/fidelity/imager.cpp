@@ -93,17 +93,12 @@ SeenColumn Imager::look(std::span<const glm::dvec2> rays, const ModelColumn& col
     for (std::uint32_t m = start_[bin]; m < start_[bin + 1]; ++m) {
       const Footprint& blob = footprints_[members_[m]];
       const glm::vec2 off = glm::vec2(place - glm::dvec2(blob.place));
-      const glm::vec2 deviations = blob.toDeviations * off;
-      const float square = deviations.x * deviations.x + deviations.y * deviations.y;
-      const bool met = blob.square
-                           ? std::abs(deviations.x) <= blob.reach && std::abs(deviations.y) <= blob.reach
-                           : square <= blob.reach * blob.reach;
-      if (!met) continue;
-      const double fall = std::exp(-0.5f * square), depth = blob.opticalDepth * fall;
+      const double depth = blob.opticalDepthAt(off);
+      if (!(depth > 0)) continue;
       const double height = blob.height + static_cast<double>(blob.heightSlope.x) * off.x +
                             static_cast<double>(blob.heightSlope.y) * off.y;
       ray.opticalDepth += depth;
-      ray.transmission *= 1 - opacities_[members_[m]] * fall;
+      ray.transmission *= 1 - opacities_[members_[m]] * depth / blob.opticalDepth;
       for (std::size_t border = 0; border < 2; ++border)
         ray.below[border] += depth * shareBelow(column.borders[border], height, blob.heightDeviation);
       profile.addGaussian(height, blob.heightDeviation, depth);

@@ -49,14 +49,8 @@ void RayField::add(const Footprint& footprint, const glm::vec2& center, float me
     const std::size_t first = static_cast<std::size_t>(row) * static_cast<std::size_t>(bins_);
     const std::uint32_t from = start_[first + static_cast<std::size_t>(left)],
                         to = start_[first + static_cast<std::size_t>(right) + 1];
-    for (std::uint32_t ray = from; ray < to; ++ray) {
-      const glm::vec2 deviations = footprint.toDeviations * ((places_[ray] - center) * metersPerUnit);
-      const float square = glm::dot(deviations, deviations);
-      const bool met = footprint.square ? std::abs(deviations.x) <= footprint.reach &&
-                                              std::abs(deviations.y) <= footprint.reach
-                                        : square <= footprint.reach * footprint.reach;
-      if (met) opticalDepths_[ray] += footprint.opticalDepth * std::exp(-0.5f * square);
-    }
+    for (std::uint32_t ray = from; ray < to; ++ray)
+      opticalDepths_[ray] += footprint.opticalDepthAt((places_[ray] - center) * metersPerUnit);
   }
 }
 
