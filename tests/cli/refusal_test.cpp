@@ -125,7 +125,7 @@ TEST_F(Refusal, WhatIsNotBuilt) {
 TEST_F(Refusal, ScenesThatCannotBeVerified) {
   refuses({"verify", out, "--against", sky}, kInput, "report.json");
   refuses({"verify", out}, kUsage, "--against");
-  refuses(buildWith({"--verify", "--formats", "glb"}), kUsage, "--verify");
+  refuses(buildWith({"--verify", "--formats", "vrml"}), kUsage, "--verify");
 }
 
 TEST_F(Refusal, PlacesThatCannotBeWritten) {

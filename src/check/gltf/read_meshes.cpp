@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "check/gltf/read_meshes.hpp"
+
+#include <algorithm>
+#include <glm/gtc/quaternion.hpp>
+#include <nlohmann/json.hpp>
+
+#include "check/gltf/glb_parts.hpp"
+
+namespace cloudgen::check {
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* kInstancing = "EXT_mesh_gpu_instancing";
+
+glm::vec3 translationOf(const json& node) {
+  glm::vec3 translation(0);
+  if (node.contains("translation"))
+    for (int axis = 0; axis < 3; ++axis)
+      translation[axis] = node["translation"].at(static_cast<std::size_t>(axis));
+  return translation;
+}
+
+std::vector<MeshPlace> placesOf(const GlbParts& glb, const json& node) {
+  const glm::vec3 translation = translationOf(node);
+  const json extensions = node.value("extensions", json::object());
+  if (!extensions.contains(kInstancing)) return {MeshPlace{translation}};
+  const json& attributes = extensions[kInstancing].at("attributes");
+  const auto column = [&](const char* name, std::size_t components) {
+    return attributes.contains(name) ? glb.floats(attributes[name], components) : std::vector<float>{};
+  };
+  const auto shifts = column("TRANSLATION", 3), turns = column("ROTATION", 4), scales = column("SCALE", 3);
+  const std::size_t count = std::max({shifts.size() / 3, turns.size() / 4, scales.size() / 3});
+  for (const auto& [values, components] : {std::pair{&shifts, 3u}, {&turns, 4u}, {&scales, 3u}})
+    if (!values->empty() && values->size() != count * components)
+      glb.fail("has instances with columns of different lengths");
+  std::vector<MeshPlace> places(count, MeshPlace{translation});
+  for (std::size_t i = 0; i < count; ++i) {
+    MeshPlace& place = places[i];
+    if (!shifts.empty()) place.shift += glm::vec3(shifts[3 * i], shifts[3 * i + 1], shifts[3 * i + 2]);
+    if (!turns.empty())
+      place.axes = glm::mat3_cast(
+          glm::normalize(glm::quat(turns[4 * i + 3], turns[4 * i], turns[4 * i + 1], turns[4 * i + 2])));
+    for (int axis = 0; axis < 3 && !scales.empty(); ++axis)
+      place.axes[axis] *= scales[3 * i + static_cast<std::size_t>(axis)];
+  }
+  return places;
+}
+
+/// Nothing where nothing is blended.
+std::string pictureOf(const json& root, const json& material) {
+  const json surface = material.value("pbrMetallicRoughness", json::object());
+  if (material.value("alphaMode", "") != "BLEND" || !surface.contains("baseColorTexture")) return {};
+  const auto texture = surface["baseColorTexture"].at("index").get<std::size_t>();
+  const auto image = root.at("textures").at(texture).at("source").get<std::size_t>();
+  return root.at("images").at(image).value("name", "");
+}
+
+std::vector<PictureMesh> partsOf(const GlbParts& glb, const json& mesh) {
+  std::vector<PictureMesh> parts;
+  for (const json& primitive : mesh.at("primitives")) {
+    if (!primitive.contains("material")) continue;
+    const json& material = glb.root().at("materials").at(primitive["material"].get<std::size_t>());
+    const std::string picture = pictureOf(glb.root(), material);
+    if (picture.empty()) continue;
+    const json& attributes = primitive.at("attributes");
+    parts.push_back({glb.floats(attributes.at("POSITION"), 3), glb.floats(attributes.at("TEXCOORD_0"), 2),
+                     glb.floats(attributes.at("COLOR_0"), 4), glb.indices(primitive.at("indices")),
+                     material.value("doubleSided", false), picture});
+    const PictureMesh& part = parts.back();
+    if (part.places.size() != 2 * part.vertices() || part.colors.size() != 4 * part.vertices() ||
+        part.triangles.size() % 3 != 0 ||
+        std::ranges::any_of(part.triangles, [&](std::uint32_t vertex) { return vertex >= part.vertices(); }))
+      glb.fail("has a mesh whose columns do not fit together");
+  }
+  return parts;
+}
+
+}  // namespace
+
+void readPictureMeshes(std::string_view bytes, const std::string& where,
+                       const std::function<void(const MeshNode&)>& visit) {
+  const GlbParts glb(bytes, where, "name a scene.glb that cloudgen wrote, or its folder");
+  try {
+    for (const json& node : glb.root().value("nodes", json::array())) {
+      if (!node.contains("mesh")) continue;
+      MeshNode read{partsOf(glb, glb.root().at("meshes").at(node["mesh"].get<std::size_t>())), {}, {}};
+      if (read.parts.empty()) continue;
+      for (const char* placing : {"matrix", "rotation", "scale", "children"})
+        if (node.contains(placing)) glb.fail("has a cloud whose node is more than translated");
+      read.places = placesOf(glb, node);
+      read.genus = node.value("extras", json::object()).value("genus", "");
+      visit(read);
+    }
+  } catch (const json::exception& error) {
+    glb.fail(std::string("is no scene of cards (") + error.what() + ")");
+  }
+}
+
+}  // namespace cloudgen::check
