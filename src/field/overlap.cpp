@@ -24,8 +24,8 @@ double decorrelationMeters(double latitudeDegrees) {
 }
 
 double overlapOf(const CoverLayer& one, const CoverLayer& other, double latitudeDegrees) {
-  const bool touch = one.baseMeters <= other.topMeters + kNoGapMeters &&
-                     other.baseMeters <= one.topMeters + kNoGapMeters;
+  const bool touch =
+      one.baseMeters <= other.topMeters + kNoGapMeters && other.baseMeters <= one.topMeters + kNoGapMeters;
   if (!touch) return 0;
   return std::exp(-std::abs(middleOf(one) - middleOf(other)) / decorrelationMeters(latitudeDegrees));
 }
