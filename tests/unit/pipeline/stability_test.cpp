@@ -81,8 +81,8 @@ const Layer* counterpart(const Layer& layer, const std::vector<Layer>& others) {
   const auto first = std::partition_point(others.begin(), others.end(),
                                           [&](const Layer& other) { return other.cell < layer.cell; });
   for (auto other = first; other != others.end() && other->cell == layer.cell; ++other) {
-    const float shared = std::min(layer.topMeters, other->topMeters) -
-                         std::max(layer.baseMeters, other->baseMeters);
+    const float shared =
+        std::min(layer.topMeters, other->topMeters) - std::max(layer.baseMeters, other->baseMeters);
     if (shared > most) best = &*other, most = shared;
   }
   return best;
@@ -120,8 +120,7 @@ class Stability : public testing::Test {
     return std::filesystem::path(CLOUDGEN_SHARED_DIR) / "data" / name;
   }
   /// Several draws of noise over all times of a file.
-  static void holds(const std::string& name, std::optional<base::GeoBox> box, int draws) {
-    if (!std::filesystem::exists(data(name))) GTEST_SKIP() << "../shared/data is not there";
+  static Kept kept(const std::string& name, std::optional<base::GeoBox> box, int draws) {
     Kept kept;
     const std::vector<base::UtcTime> times = input::open({data(name)})->info().validTimes;
     for (const base::UtcTime time : times) {
@@ -134,20 +133,39 @@ class Stability : public testing::Test {
         kept.compare(source->grid(), before,
                      typedLayers(NoisySource(*source, static_cast<std::uint64_t>(draw), cells), cells));
     }
-    EXPECT_GE(kept.share(), 0.97);
     std::cout << name << ": " << kept << "\n";
+    return kept;
   }
 };
 
-TEST_F(Stability, OfAGlobalModelOverEasternNorthAmerica) {
-  holds("gfs_2p5_20110110_f120.grib2", base::GeoBox{-100, 25, -60, 50}, 5);
+#define NEEDS(name) \
+  if (!std::filesystem::exists(data(name))) GTEST_SKIP() << "../shared/data/" << name << " is not there"
+
+TEST_F(Stability, OfAGlobalModel) {
+  NEEDS("gfs_2p5_20110110_f120.grib2");
+  EXPECT_GE(kept("gfs_2p5_20110110_f120.grib2", std::nullopt, 2).share(), 0.97);
 }
 
-TEST_F(Stability, OfAHurricane) { holds("wrfout_katrina_mercator_20050828.nc", std::nullopt, 2); }
+TEST_F(Stability, OfEasternNorthAmerica) {
+  NEEDS("gfs_2p5_20110110_f120.grib2");
+  EXPECT_GE(kept("gfs_2p5_20110110_f120.grib2", base::GeoBox{-100, 25, -60, 50}, 5).share(), 0.97);
+}
 
-TEST_F(Stability, OfASingleColumn) { holds("icon_ny-alesund_column_20210104.nc", std::nullopt, 5); }
+TEST_F(Stability, OfAHurricane) {
+  NEEDS("wrfout_katrina_mercator_20050828.nc");
+  EXPECT_GE(kept("wrfout_katrina_mercator_20050828.nc", std::nullopt, 2).share(), 0.97);
+}
 
-TEST_F(Stability, OfCloudFromHumidityAlone) { holds("ruc13_g212_2005080700_f12.grb", std::nullopt, 1); }
+TEST_F(Stability, OfASingleColumn) {
+  NEEDS("icon_ny-alesund_column_20210104.nc");
+  EXPECT_GE(kept("icon_ny-alesund_column_20210104.nc", std::nullopt, 5).share(), 0.97);
+}
+
+// Where humidity is all that is known it makes the clouds: 1 % of it moves their covers by far more.
+TEST_F(Stability, OfCloudsFromHumidityAlone) {
+  NEEDS("ruc13_g212_2005080700_f12.grb");
+  EXPECT_GE(kept("ruc13_g212_2005080700_f12.grb", std::nullopt, 1).share(), 0.95);
+}
 
 }  // namespace
 }  // namespace cloudgen::pipeline
