@@ -10,6 +10,7 @@
 #include "base/file.hpp"
 #include "base/text.hpp"
 #include "base/thread.hpp"
+#include "cli/cloud_lists.hpp"
 #include "cli/command.hpp"
 #include "cli/fidelity_report.hpp"
 #include "cli/input_options.hpp"
@@ -127,6 +128,7 @@ int build(const BuildLine& line, const Terminal& terminal) {
     format->write(outcome.scene, {folder.path(), progress});
     watch.lap(fmt::format("write_{}", format->name));
   }
+  writeCloudLists(folder.path(), outcome.scene, outcome.cloudyLayers);
   std::optional<check::Fidelity> fidelity;
   const check::Tolerances tolerances;
   if (line.verify) {
