@@ -188,7 +188,7 @@ std::string demandText(const Demand& demand, const Traits& traits) {
   for (const auto& together : demand.alternatives) {
     text += "    - ";
     for (const Condition& condition : together)
-      text += (&condition == &together.front() ? "" : "; ") + conditionText(condition, traits);
+      text += (&condition == &together.front() ? "" : ", and ") + conditionText(condition, traits);
     text += "\n";
   }
   return text;
