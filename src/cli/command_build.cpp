@@ -11,6 +11,7 @@
 #include "base/file.hpp"
 #include "base/text.hpp"
 #include "base/thread.hpp"
+#include "cli/cloud_lists.hpp"
 #include "cli/command.hpp"
 #include "cli/input_options.hpp"
 #include "cli/report.hpp"
@@ -132,6 +133,7 @@ int build(const BuildLine& line, const Terminal& terminal) {
     }
   };
   write(false);
+  writeCloudLists(folder.path(), outcome.scene, outcome.cloudyLayers);
   std::optional<nlohmann::ordered_json> verification;
   if (line.verify) {
     verification = verifyWritten(folder.path(), outcome.scene.frame, outcome.scene.groundHeightMeters,

@@ -19,7 +19,6 @@ std::function<int()> notBuilt(CLI::App& options) {
 
 }  // namespace
 
-std::function<int()> setupExplain(CLI::App& options, const Terminal&) { return notBuilt(options); }
 std::function<int()> setupMerge(CLI::App& options, const Terminal&) { return notBuilt(options); }
 
 std::span<const Command> commands() {
@@ -32,7 +31,7 @@ std::span<const Command> commands() {
       {"textures", "make the sprite set", setupTextures},
       {"types", "the cloud types and their recipes", setupTypes},
       {"formats", "the output formats", setupFormats},
-      {"explain", "why is this cloud there? (not built yet)", setupExplain},
+      {"explain", "why a cloud is there: its model cell, the values, the rule", setupExplain},
       {"merge", "join shards into one scene (not built yet)", setupMerge},
   };
   return kCommands;

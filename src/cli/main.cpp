@@ -31,7 +31,7 @@ void printVersion(bool asJson) {
   nlohmann::ordered_json version{{"name", "cloudgen"}, {"version", CLOUDGEN_VERSION}};
   for (const auto& format : writer::formats()) version["formats"].push_back(format.name);
   for (const auto& [name, what] : writer::formatsNotBuilt()) version["formats_not_built"].push_back(name);
-  version["commands_not_built"] = {"explain", "merge"};
+  version["commands_not_built"] = {"merge"};
   version["options_not_built"] = {"--shape", "--shard", "--max-memory", "--frame geo"};
   cli::print(version.dump(2));
 }

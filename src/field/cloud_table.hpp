@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string_view>
 #include <vector>
 
@@ -10,16 +11,18 @@
 namespace cloudgen::field {
 
 /// A cloud layer over one model cell: what steps 2 and 3 find. Winds in m/s, heights in metres above mean sea
-/// level.
+/// level. NaN is what the source does not tell.
 struct Layer {
+  static constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
+
   std::uint32_t cell = 0;     ///< grid index of the model cell
   std::uint32_t patch = 0;    ///< layers that touch sideways and overlap in height share a patch
   std::uint16_t ordinal = 0;  ///< counted upwards within the cell; part of every random address
   float baseMeters = 0, topMeters = 0, surfaceMeters = 0;
   float fraction = 0;                                 ///< cover seen from above, 0..1
   float liquidOpticalDepth = 0, iceOpticalDepth = 0;  ///< vertical, in cloud
-  float baseTemperatureK = 0, topTemperatureK = 0, topPressurePa = 0;
-  float kIndexC = 0;
+  float baseTemperatureK = kUnknown, topTemperatureK = kUnknown, topPressurePa = 0;
+  float kIndexC = kUnknown;
   float windEast = 0, windNorth = 0;    ///< mean over the layer
   float shearEast = 0, shearNorth = 0;  ///< top minus base
   int cloudCount = 0;                   ///< where the source counts its clouds (weather codes); 0: by cover

@@ -82,7 +82,7 @@ Outcome run(const field::Source& source, const Options& options, const base::Pro
   outcome.patches = joinPatches(grid, table.layers);
 
   progress.step("type", 0.2);
-  typeLayers(grid, table.layers);
+  const auto surroundings = typeLayers(grid, table.layers);
   outcome.isccp = isccpConfusion(table.layers);
 
   progress.step("quantity", 0.25);
@@ -95,6 +95,7 @@ Outcome run(const field::Source& source, const Options& options, const base::Pro
   standOnTerrain(origin.ground, origin.frame, table);
 
   progress.step("production", 0.4);
+  outcome.cloudyLayers = layersWithClouds(table, surroundings);
   outcome.scene = produce(table, origin, options, general, source.info().validTime, progress);
   outcome.scene.provenance = {fileNames(source.info().files), source.info().format, source.info().model,
                               source.info().run ? base::isoText(*source.info().run) : std::string()};

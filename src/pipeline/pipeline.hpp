@@ -8,6 +8,7 @@
 
 #include "base/progress.hpp"
 #include "field/source.hpp"
+#include "pipeline/layer_record.hpp"
 #include "pipeline/options.hpp"
 #include "pipeline/pairing.hpp"
 #include "scene/scene.hpp"
@@ -21,7 +22,8 @@ struct Outcome {
   double enlargement = 1;
   /// ISCCP class, genus, layers: the second opinion on the types.
   std::map<std::string_view, std::map<base::Genus, std::uint64_t>> isccp;
-  std::optional<Pairing> pairing;  ///< with a typing
+  std::vector<LayerRecord> cloudyLayers;  ///< those that have clouds
+  std::optional<Pairing> pairing;         ///< with a typing
   std::vector<std::pair<std::string, std::string>>
       derived;  ///< what was not in the input, and how it was made
   std::vector<std::string> warnings;

@@ -133,8 +133,8 @@ int yawStepOf(const field::Layer& layer, const field::Cloud& cloud, const Option
 }
 
 std::uint64_t cloudId(const field::Layer& layer, const field::Cloud& cloud) {
-  return (static_cast<std::uint64_t>(layer.cell) << 28) |
-         (static_cast<std::uint64_t>(layer.ordinal & 15) << 24) | (cloud.ordinal & 0xffffff);
+  return (static_cast<std::uint64_t>(layer.cell) << 32) |
+         (static_cast<std::uint64_t>(layer.ordinal & 0xff) << 24) | (cloud.ordinal & 0xffffff);
 }
 
 }  // namespace
@@ -165,7 +165,7 @@ scene::Scene produce(const field::CloudTable& table, const Origin& origin, const
     scene.instances.push_back(instance);
     scene.clouds.push_back({cloudId(layer, cloud), layer.genus, std::string(layer.rule), layer.cell,
                             cloud.longitudeDegrees, cloud.latitudeDegrees, cloud.baseMeters,
-                            cloud.baseMeters + cloud.depthMeters, cloud.opticalDepth});
+                            cloud.baseMeters + cloud.depthMeters, cloud.opticalDepth, layer.ordinal});
   }
 
   scene.archetypes.resize(keys.size());

@@ -52,12 +52,13 @@ struct Instance {
 
 /// Where a cloud comes from; parallel to Scene::instances.
 struct CloudRecord {
-  std::uint64_t id = 0;  ///< stable: made of cell, layer and ordinal
+  std::uint64_t id = 0;  ///< stable: cell, layer (8 bits) and number in the layer (24 bits)
   base::Genus genus{};
   std::string rule;
   std::uint32_t cell = 0;
   double longitudeDegrees = 0, latitudeDegrees = 0;
   float baseMeters = 0, topMeters = 0, opticalDepth = 0;
+  std::uint16_t layer = 0;  ///< of the cell, counted upwards
 };
 
 struct Provenance {

@@ -119,7 +119,6 @@ TEST_F(Refusal, WhatIsNotBuilt) {
   refuses(buildWith({"--frame", "geo"}), kNotBuilt, "--frame geo");
   refuses(buildWith({"--shard", "1/4"}), kNotBuilt, "--shard");
   refuses({"merge", out, "-o", out}, kNotBuilt, "merge");
-  refuses({"explain", out, "7"}, kNotBuilt, "explain");
 }
 
 TEST_F(Refusal, ScenesThatCannotBeVerified) {

@@ -62,6 +62,23 @@ TEST(Production, EveryCloudIsAnInstanceOfItsOwnPlaceAndGenus) {
   }
 }
 
+TEST(Production, CloudsOfManyLayersHaveIdsOfTheirOwn) {
+  test::MadeSource source(10, 46, 0.1, 1, 1);
+  for (int i = 0; i < 40; ++i) {
+    field::StatedLayer layer = test::cumulusLayer();
+    layer.baseMeters = 400.0f * static_cast<float>(i), layer.topMeters = layer.baseMeters + 300;
+    source.cover(layer);
+  }
+  const auto [made, scene] = produced(source, test::usualOptions(20'000));
+  std::set<std::uint64_t> ids;
+  std::set<std::uint16_t> layers;
+  for (const scene::CloudRecord& cloud : scene.clouds) {
+    EXPECT_TRUE(ids.insert(cloud.id).second);
+    layers.insert(cloud.layer);
+  }
+  EXPECT_GT(layers.size(), 16u);
+}
+
 TEST(Production, DepthAndWaterOfEveryCloudAreExact) {
   const auto [made, scene] = produced(mixedSky(), test::usualOptions(10'000));
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {

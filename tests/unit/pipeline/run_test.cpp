@@ -24,6 +24,9 @@ TEST(Run, FromStatedLayersToAScene) {
   EXPECT_EQ(outcome.layers, 4u);
   EXPECT_EQ(outcome.patches, 1u);
   EXPECT_FALSE(outcome.scene.instances.empty());
+  ASSERT_FALSE(outcome.cloudyLayers.empty());
+  EXPECT_LE(outcome.cloudyLayers.size(), 4u);
+  EXPECT_EQ(outcome.cloudyLayers[0].layer.rule, "stated");
   EXPECT_GT(outcome.enlargement, 1);
   EXPECT_TRUE(mentions(outcome.warnings, "--max-puffs"));
   // A scene does not tell where it was made.

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pipeline/type.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <set>
 
 namespace cloudgen::pipeline {
@@ -111,6 +114,67 @@ TEST(Type, ASmallPatchIsHeapedAndALargeOneALayer) {
   for (std::uint32_t i = 0; i < 9; ++i) large[i].cell = i;
   typeLayers(grid, large);
   EXPECT_EQ(large[4].genus, Genus::Stratocumulus);
+}
+
+/// Five by five cells of a tenth of a degree with the same layer over each.
+std::pair<field::Grid, std::vector<field::Layer>> sheet(float fraction) {
+  field::Grid grid = oneCell();
+  grid.stepX = grid.stepY = 0.1;
+  grid.columns = grid.rows = 5;
+  std::vector<field::Layer> layers(25);
+  for (std::uint32_t i = 0; i < 25; ++i) {
+    layers[i].cell = i;
+    layers[i].baseMeters = 1000, layers[i].topMeters = 1600;
+    layers[i].fraction = fraction, layers[i].liquidOpticalDepth = 10;
+  }
+  return {grid, layers};
+}
+
+TEST(Type, BrokennessIsThatOfTheField) {
+  auto [grid, layers] = sheet(0.9f);
+  layers[12].fraction = 0.25f;  // a thin spot in a sheet
+  const auto surroundings = typeLayers(grid, layers);
+  EXPECT_EQ(layers[12].genus, Genus::Stratocumulus);
+  EXPECT_GT(surroundings[12].coverAround, 0.6f);
+  EXPECT_LT(surroundings[12].coverAround, 0.9f);
+  EXPECT_NEAR(surroundings[0].patchSquareKilometers, 0.9 * 25 * 87, 150);
+}
+
+TEST(Type, LayersAtOtherHeightsAreNoNeighbours) {
+  auto [grid, layers] = sheet(0.9f);
+  layers[12].fraction = 0.25f;
+  layers[12].baseMeters = 1700, layers[12].topMeters = 1900;
+  const auto surroundings = typeLayers(grid, layers);
+  EXPECT_FLOAT_EQ(surroundings[12].coverAround, 0.25f);
+  EXPECT_EQ(layers[12].genus, Genus::Cumulus);
+  EXPECT_FLOAT_EQ(surroundings[0].coverAround, 0.9f);
+}
+
+TEST(Type, UnknownValuesStayOutOfMeans) {
+  auto [grid, layers] = sheet(0.9f);
+  layers[13].kIndexC = 30;
+  const auto surroundings = typeLayers(grid, layers);
+  EXPECT_FLOAT_EQ(surroundings[12].kIndexAroundC, 30);
+  EXPECT_TRUE(std::isnan(surroundings[15].kIndexAroundC));
+}
+
+TEST(Type, ARuleSaysWhatItDecidesBy) {
+  const auto rules = typeRules();
+  const auto storm = std::find_if(rules.begin(), rules.end(),
+                                  [](auto& rule) { return rule.id == "cumulonimbus.signature"; });
+  ASSERT_NE(storm, rules.end());
+  EXPECT_EQ(storm->meaning,
+            "base above ground under 3000 m, depth over 5000 m, top temperature under -25 C, optical depth "
+            "over 23, K-index here and around over 20 C: cumulonimbus");
+}
+
+TEST(Type, TheFirstRuleThatHoldsDecidesAndTheLastTakesTheRest) {
+  Traits traits;
+  traits.values.fill(std::numeric_limits<float>::quiet_NaN());
+  EXPECT_EQ(decidingRule(traits).id, derivingRules().back().id);
+  traits[Trait::BaseAboveGround] = 20, traits[Trait::TopAboveGround] = 200;
+  EXPECT_EQ(decidingRule(traits).id, "fog.signature");
+  for (const Rule& rule : derivingRules()) EXPECT_EQ(holds(rule, traits), rule.id == "fog.signature");
 }
 
 }  // namespace
