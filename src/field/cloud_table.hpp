@@ -10,6 +10,9 @@
 
 namespace cloudgen::field {
 
+/// The share of the optical depth that lies below a layer's lower height, and above its upper one.
+inline constexpr float kBorderShare = 0.05f;
+
 /// A cloud layer over one model cell: what steps 2 and 3 find. Winds in m/s, heights in metres above mean sea
 /// level. NaN is what the source does not tell.
 struct Layer {
@@ -19,6 +22,9 @@ struct Layer {
   std::uint32_t patch = 0;    ///< layers that touch sideways and overlap in height share a patch
   std::uint16_t ordinal = 0;  ///< counted upwards within the cell; part of every random address
   float baseMeters = 0, topMeters = 0, surfaceMeters = 0;
+  /// Where kBorderShare of its optical depth lies below, and above: within base and top, and well within them
+  /// where the water gathers in the middle.
+  float lowerMeters = 0, upperMeters = 0;
   float fraction = 0;                                 ///< cover seen from above, 0..1
   float liquidOpticalDepth = 0, iceOpticalDepth = 0;  ///< vertical, in cloud
   float baseTemperatureK = kUnknown, topTemperatureK = kUnknown, topPressurePa = 0;
@@ -30,6 +36,11 @@ struct Layer {
   base::Genus genus{};
   std::string_view rule;  ///< id of the rule that decided the genus (typeRules()); empty: not decided
 
+  /// Base and top, the optical depth spread evenly between them.
+  void spreadEvenly(float base, float top) {
+    baseMeters = base, topMeters = top;
+    lowerMeters = base + kBorderShare * (top - base), upperMeters = top - kBorderShare * (top - base);
+  }
   float depthMeters() const { return topMeters - baseMeters; }
   float opticalDepth() const { return liquidOpticalDepth + iceOpticalDepth; }
 };
@@ -39,7 +50,6 @@ struct Cloud {
   std::uint32_t layer = 0;    ///< index in CloudTable::layers
   std::uint32_t ordinal = 0;  ///< counted within the layer; part of every random address
   double longitudeDegrees = 0, latitudeDegrees = 0;
-  double coversSquareMeters = 0;  ///< the share of the layer's covered ground that falls to it
   float widthMeters = 0, baseMeters = 0, depthMeters = 0;
   float opticalDepth = 0;  ///< vertical, mean over the footprint
 };

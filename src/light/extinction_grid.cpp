@@ -15,6 +15,10 @@ ExtinctionGrid::ExtinctionGrid(std::span<const shape::Puff> puffs, int cellsAlon
   const float shortest = std::max(std::min({size.x, size.y, size.z}), longest / 64.0f);
   cell_ =
       std::max(std::min(longest / static_cast<float>(cellsAlongLongest), shortest / 6.0f), longest / 160.0f);
+  // And no more cells than the puffs can tell apart.
+  const double mostCells = 400.0 * static_cast<double>(std::max<size_t>(puffs.size(), 10));
+  cell_ = std::max(cell_,
+                   static_cast<float>(std::cbrt(static_cast<double>(size.x) * size.y * size.z / mostCells)));
   lower_ = bounds.lower - glm::vec3(cell_);
   nx_ = static_cast<int>(size.x / cell_) + 3;
   ny_ = static_cast<int>(size.y / cell_) + 3;

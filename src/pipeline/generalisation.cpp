@@ -3,6 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <tuple>
+
+#include "pipeline/archetype.hpp"
+#include "pipeline/canvas.hpp"
 
 #include "shape/generate.hpp"
 
@@ -29,9 +34,9 @@ double naturalWidthMeters(const shape::Recipe& recipe, double depthMeters) {
   };
   switch (recipe.form) {
     case shape::Form::Heap:
-      return within(1.1 * depthMeters);
+      return within(1.5 * depthMeters);
     case shape::Form::Tower:
-      return within(1.9 * depthMeters);
+      return within(2.3 * depthMeters);
     case shape::Form::Cells:
       return within(22.0 * depthMeters);
     case shape::Form::Veil:
@@ -44,7 +49,7 @@ double naturalWidthMeters(const shape::Recipe& recipe, double depthMeters) {
 
 double coveredSquareMeters(const shape::Recipe& recipe, double widthMeters) {
   if (!recipe.sheet) return shape::footprintSquareMeters(widthMeters);
-  const double spacing = (recipe.form == shape::Form::Veil ? 0.5 : 0.7) * widthMeters;
+  const double spacing = (recipe.form == shape::Form::Cells ? 0.7 : 0.5) * widthMeters;
   return spacing * spacing;
 }
 
@@ -54,55 +59,183 @@ double countedWidthMeters(const shape::Recipe& recipe, double coversSquareMeters
                             2.0 * recipe.widthMeters.high);
 }
 
-double meanWidthMeters(const Generalisation& general, const shape::Recipe& recipe, double depthMeters) {
+double meanWidthMeters(const Generalisation& general, const shape::Recipe& recipe, double depthMeters,
+                       double fraction) {
   const double natural = naturalWidthMeters(recipe, depthMeters);
-  return std::min(natural * general.enlargement, std::max(natural, general.widestMeters));
+  const double narrowest = general.narrowestMeters * std::pow(std::clamp(fraction, 1e-3, 1.0), 0.25);
+  return std::max(recipe.sheet ? std::min(natural, general.elementMeters) : natural, narrowest);
+}
+
+namespace {
+
+/// Puffs that still show what a genus is from far away.
+int leastPuffs(const shape::Recipe& recipe) {
+  switch (recipe.form) {
+    case shape::Form::Heap:
+    case shape::Form::Veil:
+      return 9;
+    case shape::Form::Tower:
+      return 24;
+    case shape::Form::Cells:
+    case shape::Form::Filaments:
+      break;
+  }
+  return 12;
+}
+
+/// Clouds twice as wide as natural are told by six tenths of the puffs: half of what a budget lacks is saved
+/// on either; narrower elements take fewer, too.
+int puffsAt(const shape::Recipe& recipe, double enlargement) {
+  const int fewest = fewestPuffs(recipe);
+  return std::max(std::min(fewest, leastPuffs(recipe)),
+                  static_cast<int>(fewest * std::pow(enlargement, enlargement > 1 ? -0.7 : 1.0)));
+}
+
+/// What the clouds of a layer cover one by one: clouds by chance overlap, the more the higher the cover.
+double coveredOneByOne(const field::Layer& layer, const shape::Recipe& recipe, double coveredSquareMeters) {
+  if (recipe.sheet) return coveredSquareMeters;
+  const double fraction = 0.95 * std::min(layer.fraction, 1.0f);
+  return coveredSquareMeters * -std::log(1 - fraction) / std::max(fraction, 1e-6);
+}
+
+/// A layer, as far as it costs puffs.
+struct Share {
+  const shape::Recipe* recipe = nullptr;
+  double depthMeters = 0, fraction = 0, coveredSquareMeters = 0, opticalDepth = 0;
+  double parts = 1;  ///< puffs that come of one: dense ones are divided
+  double wider = 1;  ///< what a separate cloud covers over its nominal footprint: its soft edges reach out
+};
+
+struct Demand {
+  std::vector<Share> shares;
+  std::array<double, base::kGenusCount> counted{};  ///< clouds that the source counts
+};
+
+/// What a generalisation takes; sets its puffs a cloud.
+double puffsOf(Generalisation& general, const Demand& demand, const RecipeBook& recipes) {
+  std::array<double, base::kGenusCount> covered{}, enlargement{};
+  for (const Share& share : demand.shares) {
+    const auto genus = static_cast<std::size_t>(share.recipe->genus);
+    const double ratio = meanWidthMeters(general, *share.recipe, share.depthMeters, share.fraction) /
+                         naturalWidthMeters(*share.recipe, share.depthMeters);
+    covered[genus] += share.coveredSquareMeters;
+    enlargement[genus] += share.coveredSquareMeters * std::log(ratio);
+  }
+  double puffs = 0;
+  for (const base::Genus genus : base::allGenera()) {
+    const auto g = static_cast<std::size_t>(genus);
+    const double ratio = covered[g] > 0 ? std::exp(enlargement[g] / covered[g]) : 1;
+    general.puffsPerCloud[g] = puffsAt(recipes.of(genus), ratio);
+    puffs += general.puffsPerCloud[g] * demand.counted[g];
+  }
+  for (const Share& share : demand.shares)
+    puffs += share.parts * general.puffsPerCloud[static_cast<std::size_t>(share.recipe->genus)] *
+             share.coveredSquareMeters /
+             (share.wider *
+              coveredSquareMeters(
+                  *share.recipe, meanWidthMeters(general, *share.recipe, share.depthMeters, share.fraction)));
+  return puffs;
+}
+
+/// Puffs that are drawn for one, and covered ground over the nominal footprint: the mean of an archetype's
+/// variants.
+std::pair<double, double> measured(ArchetypeKey key, const Share& share, const Generalisation& general,
+                                   const Options& options) {
+  double parts = 0, wider = 0;
+  for (key.variant = 0; key.variant < kVariants; ++key.variant) {
+    const ArchetypeShape shape = shapeOf(key, options, general);
+    parts += static_cast<double>(shape.cloud.puffs.size()) /
+             general.puffsPerCloud[static_cast<std::size_t>(key.genus)] / kVariants;
+    wider += (share.recipe->sheet ? 1
+                                  : Footprint(shape.cloud.puffs, shape.widthMeters)
+                                            .coveredAlone(share.opticalDepth, kCoveringOpticalDepth) /
+                                        coveredSquareMeters(*share.recipe, 1)) /
+             kVariants;
+  }
+  return {parts, wider};
+}
+
+/// What clouds of each share are drawn with and what they cover, genus by genus and class by class.
+void measureClouds(const Generalisation& general, Demand& demand, const Options& options) {
+  std::map<ArchetypeKey, std::pair<double, double>> known;
+  for (Share& share : demand.shares) {
+    const double width = meanWidthMeters(general, *share.recipe, share.depthMeters, share.fraction);
+    field::Layer layer;
+    layer.genus = share.recipe->genus;
+    layer.liquidOpticalDepth = static_cast<float>(share.opticalDepth);
+    field::Cloud cloud;
+    cloud.widthMeters = static_cast<float>(width), cloud.depthMeters = static_cast<float>(share.depthMeters);
+    cloud.opticalDepth = static_cast<float>(share.opticalDepth * coveredSquareMeters(*share.recipe, width) /
+                                            shape::footprintSquareMeters(width));
+    ArchetypeKey key = keyOf(layer, cloud, options);
+    key.variant = 0;
+    const auto [found, isNew] = known.try_emplace(key);
+    if (isNew) found->second = measured(key, share, general, options);
+    std::tie(share.parts, share.wider) = found->second;
+  }
+}
+
+}  // namespace
+
+double enlargementOf(const Generalisation& general, std::span<const field::Layer> layers,
+                     const Options& options) {
+  double natural = 0, drawn = 0;
+  for (const field::Layer& layer : layers) {
+    const shape::Recipe& recipe = options.recipes.of(layer);
+    const double width = meanWidthMeters(general, recipe, layer.depthMeters(), layer.fraction);
+    natural += layer.fraction;
+    drawn += layer.fraction * std::max(1.0, width / naturalWidthMeters(recipe, layer.depthMeters()));
+  }
+  return natural > 0 ? drawn / natural : 1;
 }
 
 Generalisation generalise(const field::Grid& grid, std::span<const field::Layer> layers,
                           const Options& options, const base::GeoBox& box) {
   Generalisation out;
-  std::vector<double> areas;
-  double cellArea = 0;
+  Demand demand;
+  double boxArea = 0, cellArea = 0;
+  std::uint32_t last = grid.size();
   for (const field::Layer& layer : layers) {
-    const double area = field::cellAreaSquareMeters(grid, layer.cell);
-    areas.push_back(layer.fraction * field::shareInside(grid, layer.cell, box) * area);
+    const shape::Recipe& recipe = options.recipes.of(layer);
+    const double share = field::shareInside(grid, layer.cell, box),
+                 area = field::cellAreaSquareMeters(grid, layer.cell);
+    if (last != layer.cell) boxArea += share * area;
+    last = layer.cell;
     cellArea = std::max(cellArea, area);
+    if (layer.cloudCount > 0)
+      demand.counted[static_cast<std::size_t>(layer.genus)] += share * layer.cloudCount;
+    else
+      demand.shares.push_back({&recipe, layer.depthMeters(), layer.fraction,
+                               coveredOneByOne(layer, recipe, layer.fraction * share * area),
+                               layer.opticalDepth()});
   }
-  out.widestMeters = 0.5 * std::sqrt(cellArea);
-  const auto coarsestPuffs = [&](double enlargement) {
-    out.enlargement = enlargement;
-    double puffs = 0;
-    for (std::size_t i = 0; i < layers.size(); ++i) {
-      const shape::Recipe& recipe = options.recipes.of(layers[i].genus);
-      if (layers[i].cloudCount > 0) {
-        puffs += fewestPuffs(recipe) * layers[i].cloudCount * field::shareInside(grid, layers[i].cell, box);
-        continue;
-      }
-      puffs += fewestPuffs(recipe) * areas[i] /
-               coveredSquareMeters(recipe, meanWidthMeters(out, recipe, layers[i].depthMeters()));
-    }
-    return puffs;
+  constexpr double kElementsAcross = 6;
+  out.elementMeters = std::sqrt(cellArea) / kElementsAcross;
+  out.widestMeters = std::max(100.0, std::sqrt(boxArea) / 8);
+  const auto maxPuffs = static_cast<double>(options.maxPuffs);
+  const auto puffs = [&](double narrowest) {
+    out.narrowestMeters = narrowest;
+    return puffsOf(out, demand, options.recipes);
   };
-  // Where clouds as wide as they may be still take more than the budget, they need not be wider than that
-  // takes.
-  const double budget = std::max(static_cast<double>(options.maxPuffs), 1.001 * coarsestPuffs(1000));
-  double enough = 1;
-  if (coarsestPuffs(1) > budget) {
-    double tooFew = 1;
-    enough = 1000;
+  const auto leastNarrowest = [&] {
+    if (puffs(0) <= maxPuffs) return 0.0;
+    double tooNarrow = 10, enough = out.widestMeters;
+    // Where clouds as wide as they may be still take more than the budget, they need not be wider than that
+    // takes.
+    const double budget = std::max(maxPuffs, 1.001 * puffs(enough));
     for (int i = 0; i < 40; ++i) {
-      const double middle = std::sqrt(tooFew * enough);
-      (coarsestPuffs(middle) > budget ? tooFew : enough) = middle;
+      const double middle = std::sqrt(tooNarrow * enough);
+      (puffs(middle) > budget ? tooNarrow : enough) = middle;
     }
-  }
-  // Below 1 only where enlargement has reached its limit: clouds are then told by fewer puffs than they
-  // should have.
-  const double richness =
-      std::clamp(static_cast<double>(options.maxPuffs) / std::max(coarsestPuffs(enough), 1.0), 0.1, 400.0);
-  for (const base::Genus genus : base::allGenera())
-    out.puffsPerCloud[static_cast<size_t>(genus)] =
-        static_cast<int>(fewestPuffs(options.recipes.of(genus)) * richness);
+    return enough;
+  };
+  double enough = leastNarrowest();
+  puffs(enough);
+  measureClouds(out, demand, options);
+  enough = leastNarrowest();
+  // What the budget leaves over makes clouds richer.
+  const double richness = std::clamp(maxPuffs / std::max(puffs(enough), 1.0), 1.0, 400.0);
+  for (int& count : out.puffsPerCloud) count = static_cast<int>(count * richness);
   return out;
 }
 

@@ -10,15 +10,17 @@
 
 namespace cloudgen::pipeline {
 
-/// How the puff budget is spent: as in cartography, a small budget draws fewer and larger clouds of the same
-/// cover and water.
+/// How the puff budget is spent: as in cartography, a small budget draws fewer, larger and simpler clouds of
+/// the same cover and water.
 struct Generalisation {
-  double enlargement = 1;     ///< widths times this, >= 1, as far as widestMeters lets them
-  double widestMeters = 1e9;  ///< enlarged clouds stay within half a model cell
+  double narrowestMeters = 0;  ///< of clouds that cover all of their cell: the least that the budget can show
+  double widestMeters = 1e9;   ///< that narrowestMeters may be: an eighth of the box
+  /// Sheets are made of elements no wider than that, so that they can tell the cover of a cell.
+  double elementMeters = 1e9;
   std::array<int, base::kGenusCount> puffsPerCloud;  ///< one level of detail a genus
 };
 
-/// Puffs that a genus needs to be told: at the coarsest level, sections times billboards.
+/// Puffs that a genus needs to be told near by: sections times billboards.
 int fewestPuffs(const shape::Recipe& recipe);
 
 /// Width of a cloud of a layer before enlargement, metres: heaps follow their depth, sheets the recipe.
@@ -32,10 +34,17 @@ double coveredSquareMeters(const shape::Recipe& recipe, double widthMeters);
 /// quarters of the recipe's least and twice its greatest width. For layers whose source counts their clouds.
 double countedWidthMeters(const shape::Recipe& recipe, double coversSquareMeters);
 
-/// Mean width of a layer's clouds, enlarged.
-double meanWidthMeters(const Generalisation& general, const shape::Recipe& recipe, double depthMeters);
+/// Mean width of a layer's clouds under a generalisation. Where they cover little of their cell they are
+/// narrower: the error that a single cloud makes in the cover weighs more there.
+double meanWidthMeters(const Generalisation& general, const shape::Recipe& recipe, double depthMeters,
+                       double fraction);
 
-/// Enlargement and level of detail such that all clouds of the layers inside the box take about `maxPuffs`.
+/// Widths over natural ones, at least 1: the mean over the cover of all layers.
+double enlargementOf(const Generalisation& general, std::span<const field::Layer> layers,
+                     const Options& options);
+
+/// Enlargement and level of detail such that all clouds of the layers inside the box take about `maxPuffs`:
+/// wider clouds are told by fewer puffs.
 /// Clouds that the source counts are never enlarged: they stay as many.
 Generalisation generalise(const field::Grid& grid, std::span<const field::Layer> layers,
                           const Options& options, const base::GeoBox& box);

@@ -25,6 +25,20 @@ bool startsLayer(std::span<const CloudCell> cells, size_t i, float thickestBelow
   return here < 0.1f * thickestBelow && here < 0.1f * above;
 }
 
+/// The height below which a share of the optical depth lies.
+float heightOfShare(std::span<const CloudCell> cells, double share) {
+  double owed = 0;
+  for (const CloudCell& part : cells)
+    owed += share * gridMeanExtinction(part) * (part.topMeters - part.baseMeters);
+  for (const CloudCell& part : cells) {
+    const double here = gridMeanExtinction(part) * (part.topMeters - part.baseMeters);
+    if (owed <= here && here > 0)
+      return static_cast<float>(part.baseMeters + owed / here * (part.topMeters - part.baseMeters));
+    owed -= here;
+  }
+  return cells.back().topMeters;
+}
+
 Layer layerOf(std::span<const CloudCell> cells, const field::ColumnState& state, std::uint32_t cell,
               std::uint16_t ordinal) {
   Layer layer;
@@ -32,6 +46,8 @@ Layer layerOf(std::span<const CloudCell> cells, const field::ColumnState& state,
   layer.ordinal = ordinal;
   layer.baseMeters = cells.front().baseMeters;
   layer.topMeters = cells.back().topMeters;
+  layer.lowerMeters = heightOfShare(cells, field::kBorderShare);
+  layer.upperMeters = heightOfShare(cells, 1 - field::kBorderShare);
   layer.surfaceMeters = state.surfaceHeightMeters;
   layer.baseTemperatureK = cells.front().temperatureK;
   layer.topTemperatureK = cells.back().temperatureK;
@@ -102,8 +118,7 @@ Layer layerFrom(const field::StatedLayer& stated, std::uint16_t ordinal) {
   Layer layer;
   layer.cell = stated.cell;
   layer.ordinal = ordinal;
-  layer.baseMeters = stated.baseMeters;
-  layer.topMeters = stated.topMeters;
+  layer.spreadEvenly(stated.baseMeters, stated.topMeters);
   layer.fraction = stated.coverFraction;
   layer.liquidOpticalDepth = (1 - stated.iceShare) * stated.opticalDepth;
   layer.iceOpticalDepth = stated.iceShare * stated.opticalDepth;

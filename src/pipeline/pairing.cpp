@@ -44,8 +44,7 @@ bool isTyped(const Layer& layer) { return !layer.rule.empty(); }
 Layer typedWithWater(const Layer& typed, const Layer& water, float cover, std::string_view rule) {
   Layer layer = water;
   layer.cell = typed.cell;
-  layer.baseMeters = typed.baseMeters;
-  layer.topMeters = typed.topMeters;
+  layer.spreadEvenly(typed.baseMeters, typed.topMeters);
   layer.genus = typed.genus;
   layer.rule = isTyped(typed) ? rule : std::string_view();
   layer.fraction = cover;

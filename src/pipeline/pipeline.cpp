@@ -13,7 +13,6 @@
 #include "pipeline/origin.hpp"
 #include "pipeline/production.hpp"
 #include "pipeline/quantity.hpp"
-#include "pipeline/size.hpp"
 #include "pipeline/type.hpp"
 
 namespace cloudgen::pipeline {
@@ -86,12 +85,9 @@ Outcome run(const field::Source& source, const Options& options, const base::Pro
   outcome.isccp = isccpConfusion(table.layers);
 
   progress.step("quantity", 0.25);
-  const Generalisation general = generalise(grid, table.layers, options, box);
-  outcome.enlargement = general.enlargement;
-  placeClouds(grid, options, general, box, table);
-
-  progress.step("size", 0.35);
-  sizeClouds(options, general, table);
+  Generalisation general = generalise(grid, table.layers, options, box);
+  placeWithinBudget(grid, origin.frame, origin.cells, options, general, table);
+  outcome.enlargement = enlargementOf(general, table.layers, options);
   standOnTerrain(origin.ground, origin.frame, table);
 
   progress.step("production", 0.4);
@@ -109,11 +105,11 @@ Outcome run(const field::Source& source, const Options& options, const base::Pro
     for (const field::Warning& warning : typing->info().warnings)
       outcome.warnings.push_back("typing: " + warning.text);
   outcome.warnings.insert(outcome.warnings.end(), origin.warnings.begin(), origin.warnings.end());
-  if (general.enlargement > 1.01)
+  if (outcome.enlargement > 1.01)
     outcome.warnings.push_back(
         fmt::format("the puff budget of {} draws clouds {:.1f} times as wide as natural, and fewer; raise "
                     "--max-puffs or take a smaller --bbox for natural sizes",
-                    options.maxPuffs, general.enlargement));
+                    options.maxPuffs, outcome.enlargement));
   const std::uint64_t drawn = scene::drawnPuffs(outcome.scene);
   if (static_cast<double>(drawn) > 1.5 * static_cast<double>(options.maxPuffs))
     outcome.warnings.push_back(fmt::format(

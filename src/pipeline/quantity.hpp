@@ -1,21 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "base/frame.hpp"
 #include "field/cloud_table.hpp"
 #include "field/grid.hpp"
 #include "pipeline/generalisation.hpp"
 
 namespace cloudgen::pipeline {
 
-/// Step 4: how many clouds a layer has in its cell and where they stand, so that their footprints add up to
-/// fraction times area. Separate clouds stand by chance, more of them where a noise field is high; sheets
-/// stand on a jittered lattice whose emptiest places, by the same noise, stay free. Every place depends only
-/// on seed, cell, layer and number: a smaller box gives the same clouds. Appends to table.clouds those whose
-/// anchor lies in the box.
-/// Where the source counts the clouds of a cell (Layer::cloudCount), exactly so many stand in it, each for
-/// its share of fraction times area: at least spacingMeters from each other within the cell (fewer where 100
-/// throws a cloud find no room), or, without a spacing, in clusters; those of sheets on the lattice.
-void placeClouds(const field::Grid& grid, const Options& options, const Generalisation& general,
-                 const base::GeoBox& box, field::CloudTable& table);
+/// Steps 4 and 5: how many clouds a layer has, where they stand and how large they are, such that what is
+/// drawn of them, seen from above, covers fraction times area, and their optical depth adds up to the layer's
+/// times that area (fitClouds). Where the source counts the clouds there are exactly that many
+/// (countedClouds). `cells`: the grid's cells that touch the frame's box, ascending; clouds stand inside it.
+/// Fills table.clouds.
+void placeClouds(const field::Grid& grid, const base::LocalFrame& frame, std::span<const std::uint32_t> cells,
+                 const Options& options, const Generalisation& general, field::CloudTable& table);
+
+/// The same within the budget of the options: what a generalisation draws is known when its clouds stand.
+/// Where it is off by more than a quarter they are placed again, wider or narrower. Changes the
+/// generalisation.
+void placeWithinBudget(const field::Grid& grid, const base::LocalFrame& frame,
+                       std::span<const std::uint32_t> cells, const Options& options, Generalisation& general,
+                       field::CloudTable& table);
+
+/// Puffs that are drawn of the clouds of a table, all of them in full.
+double puffsDrawn(const field::CloudTable& table, const Options& options, const Generalisation& general);
 
 }  // namespace cloudgen::pipeline

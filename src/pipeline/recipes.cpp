@@ -2,6 +2,7 @@
 #include "pipeline/recipes.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
 #include <valijson/schema.hpp>
@@ -43,6 +44,16 @@ void checkAgainstSchema(const valijson::Schema& schema, const nlohmann::json& re
 
 }  // namespace
 
+int layerClassOf(double opticalDepth) {
+  return static_cast<int>(std::lround(std::log2(std::clamp(opticalDepth, 0.01, 1e4))));
+}
+
+shape::Recipe thinned(shape::Recipe recipe) {
+  recipe.sheet = true;
+  recipe.precipitation = 0;
+  return recipe;
+}
+
 RecipeBook readRecipes(const std::filesystem::path& folder) {
   if (!std::filesystem::is_directory(folder))
     throw base::InputError(folder.string(), "is not a folder of recipes",
@@ -69,6 +80,7 @@ RecipeBook readRecipes(const std::filesystem::path& folder) {
           "keep one of them");
     first = file.filename().string();
     book.recipes[static_cast<size_t>(recipe.genus)] = recipe;
+    book.thin[static_cast<size_t>(recipe.genus)] = thinned(recipe);
   }
   for (const base::Genus genus : base::allGenera())
     if (from[static_cast<size_t>(genus)].empty())

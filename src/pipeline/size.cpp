@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "shape/generate.hpp"
+#include "pipeline/archetype.hpp"
 
 namespace cloudgen::pipeline {
 namespace {
@@ -27,30 +27,20 @@ double meanSquareRoot() {
 
 }  // namespace
 
-void sizeClouds(const Options& options, const Generalisation& general, field::CloudTable& table) {
-  const double normal = meanSquareRoot();
-  for (field::Cloud& cloud : table.clouds) {
-    const field::Layer& layer = table.layers[cloud.layer];
-    const shape::Recipe& recipe = options.recipes.of(layer.genus);
-    base::RandomStream stream(options.seed, layer.cell, base::Purpose::CloudSize,
-                              (static_cast<std::uint64_t>(layer.ordinal) << 40) | cloud.ordinal);
-    const double meanWidth = layer.cloudCount > 0 ? countedWidthMeters(recipe, cloud.coversSquareMeters)
-                                                  : meanWidthMeters(general, recipe, layer.depthMeters());
-    double width = meanWidth;
-    double depth = layer.depthMeters();
-    if (!recipe.sheet) {
-      const double relative = relativeWidth(stream.uniform()) / normal;
-      width *= relative;
-      if (recipe.form == shape::Form::Heap)
-        depth *= std::clamp(0.35 + 0.45 * relative + 0.12 * stream.gaussian(), 0.25, 1.0);
-    }
-    cloud.widthMeters = static_cast<float>(width);
-    cloud.depthMeters = static_cast<float>(depth);
-    cloud.baseMeters = layer.baseMeters;
-    // What the layer owes this cloud's ground, spread over the mean footprint: a smaller box changes nothing.
-    cloud.opticalDepth = static_cast<float>(layer.opticalDepth() * cloud.coversSquareMeters /
-                                            shape::footprintSquareMeters(meanWidth));
+CloudSize sizeOf(const field::Layer& layer, std::uint32_t ordinal, double layerDepthMeters,
+                 double meanWidthMeters, const Options& options) {
+  static const double kNormal = meanSquareRoot();
+  const shape::Recipe& recipe = options.recipes.of(layer);
+  CloudSize size{meanWidthMeters, layerDepthMeters};
+  if (!recipe.sheet) {
+    base::RandomStream stream(options.seed, layer.cell, base::Purpose::CloudSize, itemOf(layer, ordinal));
+    const double relative = relativeWidth(stream.uniform()) / kNormal;
+    size.widthMeters *= relative;
+    if (recipe.form == shape::Form::Heap)
+      size.depthMeters *= std::clamp(0.35 + 0.45 * relative + 0.12 * stream.gaussian(), 0.25, 1.0);
   }
+  size.widthMeters = drawnWidthMeters(size.depthMeters, size.widthMeters);
+  return size;
 }
 
 }  // namespace cloudgen::pipeline

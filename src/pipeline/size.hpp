@@ -1,16 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+
 #include "field/cloud_table.hpp"
 #include "pipeline/generalisation.hpp"
 
 namespace cloudgen::pipeline {
 
-/// Step 5: width, base, depth and optical depth of every cloud of the table. Heaps of one layer share its
-/// base; the depth is the layer's for the largest and less for smaller ones; widths follow a power law cut at
-/// a third and at 1.8 times the mean (number over area ~ A^-1.7, Landsat 1990) whose mean footprint is what
-/// quantity counted on. Optical depth times footprint is, in the mean over the layer, the layer's optical
-/// depth times the ground it covers.
-void sizeClouds(const Options& options, const Generalisation& general, field::CloudTable& table);
+struct CloudSize {
+  double widthMeters = 0, depthMeters = 0;
+};
+
+/// Step 5: the size of a cloud among those of a mean width in a layer of a depth; `layer` and `ordinal` are
+/// its random address. Elements of a sheet are alike; widths of separate clouds follow a power law cut at
+/// 0.45 and at 1.8 times the mean (number over area ~ A^-1.7, Landsat 1990); heaps are as deep as the layer
+/// if they are large, and less deep if they are small. The width is one that an archetype has: quantity
+/// counts what will be drawn.
+CloudSize sizeOf(const field::Layer& layer, std::uint32_t ordinal, double layerDepthMeters,
+                 double meanWidthMeters, const Options& options);
 
 }  // namespace cloudgen::pipeline

@@ -12,7 +12,11 @@ RawShape shapeCells(const Recipe& recipe, const ShapeRequest& request) {
   base::RandomStream places(request.seed, request.variant, base::Purpose::SectionPlace);
   base::RandomStream fills(request.seed, request.variant, base::Purpose::BillboardPlace);
   const int affordable = std::max(3, static_cast<int>(std::sqrt(request.puffs / 4.0)));
-  const int across = std::min(recipe.sections, affordable);
+  // A smaller piece of the layer has fewer elements, not narrower ones.
+  constexpr double kUsualAspect = 22;
+  const int fitting = std::max(
+      2, static_cast<int>(std::lround(recipe.sections * std::min(1.0, width / (kUsualAspect * depth)))));
+  const int across = std::min(fitting, affordable);
   const double pitch = width / across;
   const std::uint64_t noiseSeed = request.seed * 31 + request.variant;
 

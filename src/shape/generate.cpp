@@ -9,7 +9,7 @@
 namespace cloudgen::shape {
 namespace {
 
-RawShape rawShape(const Recipe& recipe, const ShapeRequest& request) {
+RawShape texturedShape(const Recipe& recipe, const ShapeRequest& request) {
   switch (recipe.form) {
     case Form::Heap:
       return shapeHeap(recipe, request);
@@ -35,7 +35,36 @@ double totalExtinctionArea(const std::vector<Puff>& puffs) {
   return sum;
 }
 
+/// Adds a soft blob as wide as an element fades out, so that the rest holds `textureShare` of all.
+void addBlob(RawShape& shape, const Recipe& recipe, const ShapeRequest& request, double textureShare) {
+  if (!shape.puffs.empty()) scaleExtinction(shape.puffs, textureShare / totalExtinctionArea(shape.puffs));
+  Puff puff;
+  const auto sigma = static_cast<float>((recipe.form == Form::Cells ? 0.36 : 0.29) * request.widthMeters);
+  puff.center.y = static_cast<float>(0.5 * request.depthMeters);
+  puff.sigma = glm::vec3(sigma, static_cast<float>(0.27 * request.depthMeters), sigma);
+  puff.extinctionPerMeter = 1;
+  puff.extinctionPerMeter =
+      static_cast<float>((shape.puffs.empty() ? 1 : 1 - textureShare) / extinctionArea(puff));
+  shape.puffs.push_back(puff);
+}
+
+RawShape rawShape(const Recipe& recipe, const ShapeRequest& request) {
+  constexpr int kPuffsForTexture = 40;
+  constexpr double kEvenTexture = 0.45, kClosedTexture = 0.75;
+  RawShape shape;
+  // What is even shows what is usual for the genus only if there are puffs enough for it to be seen.
+  if (!request.even || request.puffs >= kPuffsForTexture) shape = texturedShape(recipe, request);
+  if (request.even)
+    addBlob(shape, recipe, request, kEvenTexture);
+  else if (request.closed)
+    addBlob(shape, recipe, request, kClosedTexture);
+  return shape;
+}
+
 }  // namespace
+
+/// Rain is thin beside the cloud that it falls from: few and large drops.
+constexpr double kPrecipitationShare = 0.02;
 
 double footprintSquareMeters(double widthMeters) {
   return 0.25 * std::numbers::pi * widthMeters * widthMeters;
@@ -47,8 +76,8 @@ CloudShape generate(const Recipe& recipe, const ShapeRequest& request) {
   scaleExtinction(raw.puffs, request.opticalDepth * footprint / totalExtinctionArea(raw.puffs));
   if (recipe.precipitation <= 0) raw.precipitation.clear();
   if (!raw.precipitation.empty())
-    scaleExtinction(raw.precipitation, recipe.precipitation * request.opticalDepth * footprint * 0.05 /
-                                           totalExtinctionArea(raw.precipitation));
+    scaleExtinction(raw.precipitation, recipe.precipitation * request.opticalDepth * footprint *
+                                           kPrecipitationShare / totalExtinctionArea(raw.precipitation));
 
   CloudShape cloud{std::move(raw.puffs), {}};
   cloud.puffs.insert(cloud.puffs.end(), raw.precipitation.begin(), raw.precipitation.end());

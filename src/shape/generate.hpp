@@ -17,6 +17,8 @@ struct ShapeRequest {
   int puffs =
       500;  ///< budget; the result is near it, never above 1.5 times (but at least one puff a section)
   std::uint64_t seed = 0, variant = 0;
+  bool even = false;    ///< thin: most of it one soft puff, for parts of it could not be seen
+  bool closed = false;  ///< cells have thin cloud between them
 };
 
 struct CloudShape {

@@ -73,6 +73,7 @@ Recipe recipeFromJson(const std::string& text, const std::string& where) {
     recipe.raggedness = file.value("raggedness", 0.3f);
     recipe.precipitation = file.value("precipitation", 0.0f);
     recipe.alongWind = file.value("along_wind", false);
+    recipe.streets = file.value("streets", 0.0f);
     return recipe;
   } catch (const json::exception& error) {
     throw base::InputError(where, std::string("is not a recipe (") + error.what() + ")",

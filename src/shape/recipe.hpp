@@ -44,6 +44,7 @@ struct Recipe {
   float raggedness = 0.3f;  ///< wisps and scud about the edges, 0..1
   float precipitation = 0;  ///< optical depth of the shaft below the base, as a share of the cloud's
   bool alongWind = false;   ///< elements are turned into the wind
+  float streets = 0;        ///< length of cloud streets along the wind, in clouds; 0: none
 };
 
 /// Reads a recipe from the text of its JSON file, checked against schemas/recipe.schema.json by the caller.

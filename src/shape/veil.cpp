@@ -32,10 +32,13 @@ RawShape shapeVeil(const Recipe& recipe, const ShapeRequest& request) {
       const double size = spacing * fills.uniform(0.62, 0.95);
       const double low = fills.uniform();
       Puff puff;
-      const double sigmaY = std::clamp(0.2 * depth * fills.uniform(0.8, 1.2), 1.0,
-                                       std::max(1.0, size * recipe.flattening * 4.0));
-      const double y = recipe.genus == base::Genus::Fog ? depth * low * low : depth * (0.2 + 0.6 * low);
-      p.y = std::clamp(y + 0.18 * depth * swell, 1.2 * sigmaY, std::max(1.2 * sigmaY, depth - 1.2 * sigmaY));
+      // Thin slices at all heights, the thinnest near base and top, so that a deep layer ends where it should
+      // and does not fade out far beyond.
+      const double y = recipe.genus == base::Genus::Fog ? depth * low * low : depth * (0.04 + 0.92 * low);
+      p.y = std::clamp(y + 0.1 * depth * swell, 0.03 * depth, 0.97 * depth);
+      const double thinnest = std::min(p.y, depth - p.y);
+      const double sigmaY = std::clamp(0.5 * thinnest, 0.015 * depth,
+                                       std::min(0.11 * depth, std::max(1.0, size * recipe.flattening * 4.0)));
       puff.center = p;
       puff.sigma = glm::vec3(size * stretch, sigmaY, size / std::sqrt(stretch));
       const double contrast = 0.35 + 1.1 * recipe.fibre + 0.5 * recipe.raggedness;

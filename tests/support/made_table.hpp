@@ -4,7 +4,6 @@
 #include "pipeline/generalisation.hpp"
 #include "pipeline/location.hpp"
 #include "pipeline/quantity.hpp"
-#include "pipeline/size.hpp"
 #include "support/made_source.hpp"
 
 namespace cloudgen::test {
@@ -35,8 +34,8 @@ struct MadeTable {
 
  private:
   void finish(const MadeSource& source, const pipeline::Options& options, const base::GeoBox& box) {
-    pipeline::placeClouds(source.grid(), options, general, box, table);
-    pipeline::sizeClouds(options, general, table);
+    const std::vector<std::uint32_t> cells = field::cellsTouching(source.grid(), box);
+    pipeline::placeWithinBudget(source.grid(), base::LocalFrame(box), cells, options, general, table);
   }
 };
 

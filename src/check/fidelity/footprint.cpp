@@ -11,14 +11,15 @@
 namespace cloudgen::check {
 namespace {
 
-constexpr float kMostDeviations = 4;  // 0.03 % of a Gaussian lies beyond
-constexpr float kFaintest = 1e-3f;    // optical depth that is followed outwards
+constexpr float kMostDeviations = 4;       // 0.03 % of a Gaussian lies beyond
+constexpr float kFewestDeviations = 3.2f;  // 0.6 %: many faint blobs together are not faint
+constexpr float kFaintest = 1e-3f;         // optical depth that is followed outwards
 /// Share of its area that a card must show.
 constexpr float kEdgeOn = 0.05f;
 
 float reachOf(float opticalDepth) {
-  const float ratio = opticalDepth / kFaintest;
-  return ratio > 1 ? std::min(kMostDeviations, std::sqrt(2 * std::log(ratio))) : 0;
+  const float ratio = std::max(1.0f, opticalDepth / kFaintest);
+  return std::clamp(std::sqrt(2 * std::log(ratio)), kFewestDeviations, kMostDeviations);
 }
 
 /// Metres that a ray moves sideways for a metre up.

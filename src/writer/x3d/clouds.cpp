@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "base/text.hpp"
+#include "shape/heights.hpp"
 #include "writer/x3d/clusters.hpp"
 
 namespace cloudgen::writer {
@@ -18,6 +19,7 @@ constexpr std::size_t kMostClusters = 24;  ///< parts of a cloud seen from near
 constexpr float kNearSizes = 6;      ///< a cloud is drawn in full up to this many times its own size away
 constexpr double kLiveClouds = 120;  ///< clouds that are drawn one by one around the viewer, about
 constexpr double kFullClouds = 30;   ///< clouds that are drawn in full around the viewer, about
+constexpr float kDensest = 10;       ///< optical depth that an opacity can still tell
 constexpr std::size_t kFarPuffs = 24000;  ///< puffs in the far shapes of all tiles together, about
 
 /// view3dscene 4.2 refuses the field `level` of VRML97's LOD, and the standard any other name for it: VRML97
@@ -231,6 +233,7 @@ class CloudWalk {
       std::vector<LitPuff> members;
       for (const std::uint32_t i : cluster.puffs) members.push_back(puffs[i]);
       if (!cluster.turns) {
+        spreadAsFlat(members);
         shapes_.write(genus, crossedQuads(members, glm::vec3(0), shapes_.atlas(genus)));
         continue;
       }
@@ -245,9 +248,31 @@ class CloudWalk {
     nodes_.close();
   }
 
+  /// Quads have no thickness: they stand further apart, so that they begin and end where the puffs do.
+  static void spreadAsFlat(std::vector<LitPuff>& members) {
+    constexpr double kBorderShare = 0.05, kEndShare = 0.01;
+    std::vector<shape::Puff> puffs;
+    for (const LitPuff& lit : members) puffs.push_back(lit.puff);
+    const double lower = shape::heightOfShare(puffs, kBorderShare),
+                 upper = shape::heightOfShare(puffs, 1 - kBorderShare),
+                 lowest = shape::heightOfShare(puffs, kEndShare),
+                 highest = shape::heightOfShare(puffs, 1 - kEndShare);
+    for (shape::Puff& puff : puffs) puff.sigma = glm::vec3(1e-3f), puff.extinctionPerMeter = 1;
+    for (std::size_t i = 0; i < members.size(); ++i)
+      puffs[i].extinctionPerMeter = static_cast<float>(shape::extinctionArea(members[i].puff));
+    const double flatLower = shape::heightOfShare(puffs, kBorderShare),
+                 flatUpper = shape::heightOfShare(puffs, 1 - kBorderShare);
+    if (!(flatUpper - flatLower > 0.05 * (upper - lower))) return;  // all in one plane
+    const double stretch = std::min(3.0, (upper - lower) / (flatUpper - flatLower));
+    for (LitPuff& lit : members)
+      lit.puff.center.y = static_cast<float>(
+          std::clamp(0.5 * (lower + upper) + stretch * (lit.puff.center.y - 0.5 * (flatLower + flatUpper)),
+                     lowest, highest));
+  }
+
   /// Clouds as crossed cards, one Shape a genus, in the scene frame.
   void cards(std::span<const std::uint32_t> instances) {
-    const bool whole = 8 * scene_.instances.size() <= kFarPuffs;
+    const bool inParts = 8 * scene_.instances.size() <= kFarPuffs;
     std::map<base::Genus, std::vector<LitPuff>> puffs;
     for (const std::uint32_t i : instances) {
       const scene::Instance& instance = scene_.instances[i];
@@ -261,9 +286,11 @@ class CloudWalk {
         placed.push_back(
             {scene::placed(scene_, instance, source[p]), p < lights.size() ? lights[p].color : glm::vec3(1)});
       if (placed.empty()) continue;
-      if (!whole || !far) placed = {merged(placed)};
+      if (!inParts || !far) placed = {merged(placed)};
       auto& all = puffs[archetype.genus];
-      all.insert(all.end(), placed.begin(), placed.end());
+      for (const LitPuff& whole : placed)
+        for (const shape::Puff& part : shape::divided(std::span(&whole.puff, 1), kDensest))
+          all.push_back({part, whole.color});
     }
     for (const auto& [genus, all] : puffs)
       shapes_.write(genus, crossedQuads(all, glm::vec3(0), shapes_.atlas(genus)));

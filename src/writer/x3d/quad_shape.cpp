@@ -28,6 +28,19 @@ int decimalsFor(const QuadMesh& mesh) {
   return reach > 5000 ? 0 : 1;
 }
 
+float rounded(float value, int decimals) {
+  const float steps = std::pow(10.0f, static_cast<float>(decimals));
+  return std::round(value * steps) / steps;
+}
+
+constexpr int kColorDecimals = 3, kAlphaDecimals = 7;
+
+/// As many decimals as tell how much shines through a dense quad.
+float writtenAlpha(float alpha) {
+  const int nines = alpha < 1 ? static_cast<int>(-std::log10(1 - alpha)) : kAlphaDecimals;
+  return rounded(alpha, std::min(kColorDecimals + nines, kAlphaDecimals));
+}
+
 void append(std::vector<float>& out, const glm::vec3& v) { out.insert(out.end(), {v.x, v.y, v.z}); }
 
 }  // namespace
@@ -94,8 +107,8 @@ void QuadShapes::shape(base::Genus genus, const QuadMesh& mesh, std::span<const 
       append(points, quad.center - quad.right + quad.up);
       textureBoxes.insert(textureBoxes.end(), {box.x, box.y, box.z, box.y, box.z, box.w, box.x, box.w});
       for (int corner = 0; corner < 4; ++corner) {
-        append(colors, glm::vec3(quad.color));
-        if (!vrml97) colors.push_back(quad.color.a);
+        for (int c = 0; c < 3; ++c) colors.push_back(rounded(quad.color[c], kColorDecimals));
+        if (!vrml97) colors.push_back(writtenAlpha(quad.color.a));
       }
     }
     const std::int32_t s = start;
@@ -111,7 +124,7 @@ void QuadShapes::shape(base::Genus genus, const QuadMesh& mesh, std::span<const 
   nodes_.integers(vrml97 ? "coordIndex" : "index", indices);
   if (!material) {
     nodes_.open(vrml97 ? "Color" : "ColorRGBA", "color");
-    nodes_.numbers("color", colors, vrml97 ? 3 : 4, 3);
+    nodes_.numbers("color", colors, vrml97 ? 3 : 4, vrml97 ? kColorDecimals : kAlphaDecimals);
     nodes_.close();
   }
   nodes_.open("TextureCoordinate", "texCoord");

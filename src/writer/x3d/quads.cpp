@@ -13,13 +13,18 @@
 namespace cloudgen::writer {
 namespace {
 
-constexpr float kReach = 2.2f;          ///< half-side of a quad, in standard deviations
-constexpr float kFaintest = 0.012f;     ///< opacity below which a quad is left out
+constexpr float kSpriteReach = 2.2f;  ///< half-side of a sprite, in its standard deviations
+/// Quads are wider than their puffs, or what a sprite's border cuts off would be missing from the cover.
+constexpr float kWidening = 1.12f, kReach = kWidening * kSpriteReach;
+constexpr float kFaintest = 0.005f;     ///< opacity below which a quad is left out
 constexpr float kSmallestPlane = 0.7f;  ///< area of a plane, to the largest, below which it is left out
+/// What a quad shows of an optical depth that its centre has: the sprite's Gaussian within its border,
+/// erf(2.2 / sqrt 2) squared, on the wider quad.
+constexpr float kDrawnShare = 0.9451f * kWidening * kWidening;
 /// Opacity of upright planes: edge-on, from above, they show as needles.
 constexpr float kUprightShare = 0.7f;
 
-float opacityOf(float opticalDepth) { return 1.0f - std::exp(-opticalDepth); }
+float opacityOf(float opticalDepth) { return -std::expm1(-opticalDepth / kDrawnShare); }
 
 glm::vec4 colorOf(const LitPuff& lit, float opticalDepth) {
   return glm::vec4(light::srgbFromLinear(lit.color), opacityOf(opticalDepth));
@@ -71,9 +76,12 @@ QuadMesh facingQuads(const std::vector<LitPuff>& puffs, const glm::vec3& origin,
   QuadMesh mesh;
   for (const size_t i : order) {
     const shape::Puff& puff = puffs[i].puff;
-    const glm::vec4 color = colorOf(puffs[i], shape::frontalOpticalDepth(puff));
-    if (color.a < kFaintest) continue;
     const auto axes = shownAxes(puff);
+    // The quad turns: it shows the same from all sides, and from all sides all of the puff.
+    const double area = 2 * std::numbers::pi * glm::length(axes[0]) * glm::length(axes[1]);
+    const glm::vec4 color =
+        colorOf(puffs[i], static_cast<float>(shape::extinctionArea(puff) / std::max(area, 1e-6)));
+    if (color.a < kFaintest) continue;
     mesh.faces.push_back(static_cast<std::uint32_t>(2 * mesh.quads.size()));
     mesh.quads.push_back({puff.center - origin, kReach * axes[0], kReach * axes[1],
                           atlas.textureBox(puff.sprite % atlas.tiles()), color});

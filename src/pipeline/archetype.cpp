@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline/archetype.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "scene/scene.hpp"
+#include "shape/heights.hpp"
+
+namespace cloudgen::pipeline {
+namespace {
+
+constexpr float kClosed = 0.85f;               ///< cover from which cells have no gaps between them
+constexpr std::uint64_t kDither = 1ull << 62;  ///< the address of another draw
+constexpr double kAspectStep = 1.4142135623730951, kOpticalDepthStep = 1.4142135623730951;
+
+int classOf(double value, double step) {
+  return static_cast<int>(std::lround(std::log(value) / std::log(step)));
+}
+
+/// Share of the extinction in puffs of which nothing would be seen, or whose opacity is below what formats
+/// keep, if all is multiplied by a factor.
+double faintShare(const std::vector<shape::Puff>& puffs, double factor) {
+  constexpr float kFaintest = 0.01f;
+  double whole = 0, faint = 0;
+  for (const shape::Puff& puff : puffs) {
+    const double area = shape::extinctionArea(puff);
+    whole += area;
+    if (factor * shape::frontalOpticalDepth(puff) < kFaintest) faint += area;
+  }
+  return whole > 0 ? faint / whole : 0;
+}
+
+/// Opacities must tell optical depths apart: those of a cloud are up to a class above the archetype's.
+void divideDense(shape::CloudShape& cloud) {
+  constexpr float kMostOpticalDepth = 10;
+  shape::CloudShape out;
+  for (std::size_t section = 0; section + 1 < cloud.sectionStart.size(); ++section) {
+    out.sectionStart.push_back(static_cast<std::uint32_t>(out.puffs.size()));
+    const std::span<const shape::Puff> own(cloud.puffs.data() + cloud.sectionStart[section],
+                                           cloud.sectionStart[section + 1] - cloud.sectionStart[section]);
+    const std::vector<shape::Puff> parts =
+        shape::divided(own, kMostOpticalDepth / static_cast<float>(kOpticalDepthStep));
+    out.puffs.insert(out.puffs.end(), parts.begin(), parts.end());
+  }
+  out.sectionStart.push_back(static_cast<std::uint32_t>(out.puffs.size()));
+  cloud = std::move(out);
+}
+
+/// 0 calm, 1 sheared, 2 strongly sheared: the lean of the top over the depth is a quarter of the class.
+int shearClassOf(const field::Layer& layer) {
+  const double shear = std::hypot(layer.shearEast, layer.shearNorth);
+  return shear < 6 ? 0 : (shear < 18 ? 1 : 2);
+}
+
+}  // namespace
+
+std::uint64_t itemOf(const field::Layer& layer, std::uint32_t ordinal) {
+  return (static_cast<std::uint64_t>(layer.ordinal) << 40) | ordinal;
+}
+
+int yawStepOf(const field::Layer& layer, std::uint32_t ordinal, const field::GeoPoint& place,
+              const Options& options, const base::LocalFrame& frame) {
+  if (options.recipes.of(layer).alongWind && std::hypot(layer.windEast, layer.windNorth) > 0.5) {
+    const glm::dvec2 east = frame.eastDirection(place.longitudeDegrees, place.latitudeDegrees);
+    const double x = layer.windEast * east.x + layer.windNorth * east.y,
+                 z = layer.windEast * east.y - layer.windNorth * east.x;
+    const double steps = std::atan2(-z, x) / (2.0 * std::numbers::pi) * scene::kYawSteps;
+    return (static_cast<int>(std::lround(steps)) + scene::kYawSteps) % scene::kYawSteps;
+  }
+  base::RandomStream stream(options.seed, layer.cell, base::Purpose::CloudYaw, itemOf(layer, ordinal));
+  return scene::kYawSteps / 4 * stream.index(4);
+}
+
+ArchetypeKey shapeKeyOf(const field::Layer& layer, std::uint32_t ordinal, double depthMeters,
+                        double widthMeters, const Options& options) {
+  base::RandomStream stream(options.seed, layer.cell, base::Purpose::CloudVariant, itemOf(layer, ordinal));
+  ArchetypeKey key;
+  key.genus = layer.genus;
+  key.aspectClass = classOf(depthMeters / widthMeters, kAspectStep);
+  const shape::Form form = options.recipes.of(layer).form;
+  key.shearClass = form == shape::Form::Heap || form == shape::Form::Tower ? shearClassOf(layer) : 0;
+  key.variant = stream.index(kVariants);
+  key.layerClass = layerClassOf(layer.opticalDepth());
+  key.closed = form == shape::Form::Cells && layer.fraction >= kClosed;
+  return key;
+}
+
+ArchetypeKey keyOf(const field::Layer& layer, const field::Cloud& cloud, const Options& options) {
+  ArchetypeKey key = shapeKeyOf(layer, cloud.ordinal, cloud.depthMeters, cloud.widthMeters, options);
+  const double opticalDepth = std::max(0.02f, cloud.opticalDepth);
+  key.opticalDepthClass = static_cast<int>(std::floor(std::log(opticalDepth) / std::log(kOpticalDepthStep)));
+  const double below = std::pow(kOpticalDepthStep, key.opticalDepthClass);
+  base::RandomStream stream(options.seed, layer.cell, base::Purpose::CloudVariant,
+                            itemOf(layer, cloud.ordinal) | kDither);
+  if (stream.uniform() < (opticalDepth / below - 1) / (kOpticalDepthStep - 1)) ++key.opticalDepthClass;
+  return key;
+}
+
+double drawnWidthMeters(double depthMeters, double widthMeters) {
+  return depthMeters / std::pow(kAspectStep, classOf(depthMeters / widthMeters, kAspectStep));
+}
+
+ArchetypeShape shapeOf(const ArchetypeKey& key, const Options& options, const Generalisation& general) {
+  const shape::Recipe& recipe = options.recipes.of(key.genus, isThin(key.layerClass));
+  shape::ShapeRequest request;
+  request.depthMeters =
+      std::sqrt(static_cast<double>(recipe.thicknessMeters.low) * recipe.thicknessMeters.high);
+  request.widthMeters = request.depthMeters / std::pow(kAspectStep, key.aspectClass);
+  request.opticalDepth = std::pow(kOpticalDepthStep, key.opticalDepthClass);
+  request.even = isThin(key.layerClass);
+  request.closed = key.closed;
+  request.tilt = 0.25 * key.shearClass;
+  request.puffs = general.puffsPerCloud[static_cast<size_t>(key.genus)];
+  request.seed = options.seed;
+  request.variant = (static_cast<std::uint64_t>(key.genus) << 32) | static_cast<std::uint64_t>(key.variant);
+  ArchetypeShape out{request.widthMeters, request.depthMeters, request.opticalDepth,
+                     shape::generate(recipe, request)};
+  // So faint that it would not be drawn: fewer, stronger puffs.
+  const double perOne = std::exp2(key.layerClass) * coveredSquareMeters(recipe, 1) /
+                        (shape::footprintSquareMeters(1) * request.opticalDepth);
+  while (request.puffs > 12 && faintShare(out.cloud.puffs, perOne) > 0.01) {
+    request.puffs = request.puffs * 2 / 3;
+    out.cloud = shape::generate(recipe, request);
+  }
+  // Heaps bulge in the middle: they end where a little of them is left over, or they would be drawn out to
+  // columns.
+  const bool heaped = recipe.form == shape::Form::Heap || recipe.form == shape::Form::Tower;
+  shape::spreadBetween(out.cloud.puffs, heaped ? 0.03 : field::kBorderShare, out.depthMeters);
+  divideDense(out.cloud);
+  shape::standOverCentroid(out.cloud.puffs);
+  return out;
+}
+
+std::string nameOf(const ArchetypeKey& key) {
+  const auto text = [](int value) {
+    return value < 0 ? fmt::format("m{}", -value) : fmt::format("{}", value);
+  };
+  return fmt::format("{}_a{}_t{}_l{}_s{}_v{}{}", base::abbreviation(key.genus), text(key.aspectClass),
+                     text(key.opticalDepthClass), text(key.layerClass), key.shearClass, key.variant,
+                     key.closed ? "_c" : "");
+}
+
+}  // namespace cloudgen::pipeline

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline/candidates.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/archetype.hpp"
+#include "pipeline/size.hpp"
+#include "pipeline/structure.hpp"
+
+namespace cloudgen::pipeline {
+namespace {
+
+constexpr double kMostCandidates = 200'000;
+/// Variation of optical depth within a layer, as a deviation of its logarithm: half of what Shonk et al. 2010
+/// give for the whole of a cell (fractional deviation 0.75), the other half lies within a cloud.
+constexpr double kOpticalDepthDeviation = 0.35;
+constexpr double kJitter = 0.55, kThinJitter = 0.2;
+/// Rank that a second lattice between the places of the first adds: it fills what those leave open.
+constexpr double kReserve = 1000;
+
+/// Columns and rows of a lattice over a cell.
+struct Lattice {
+  int columns = 1, rows = 1;
+};
+
+Lattice latticeOf(const glm::dvec2& sides, double places) {
+  const double aspect = std::clamp(sides.x / sides.y, 0.02, 50.0);
+  Lattice lattice;
+  lattice.columns = std::max(1, static_cast<int>(std::lround(std::sqrt(places * aspect))));
+  lattice.rows = std::max(1, static_cast<int>(std::lround(places / lattice.columns)));
+  return lattice;
+}
+
+double densityOf(const field::Layer& layer, const shape::Recipe& recipe) {
+  return recipe.sheet ? 1.0 : std::min(3.0, 0.15 + 3.0 * layer.fraction);
+}
+
+}  // namespace
+
+std::vector<Candidate> candidatesOf(const CandidateContext& context, const field::Layer& layer) {
+  const auto& [grid, frame, options, general, layersByCell] = context;
+  const shape::Recipe& recipe = options.recipes.of(layer);
+  const double meanWidth = meanWidthMeters(general, recipe, layer.depthMeters(), layer.fraction);
+  const double covers = coveredSquareMeters(recipe, meanWidth);
+  const double area = field::cellAreaSquareMeters(grid, layer.cell);
+  const double wanted = std::min(kMostCandidates, densityOf(layer, recipe) * area / covers);
+  const Lattice lattice = latticeOf(field::cellSidesMeters(grid, layer.cell), wanted);
+  // Twice as often as needed, so that there is a choice.
+  const double chance = wanted < 1 ? 2 * wanted : 1;
+  const double scale = std::sqrt(covers);
+  const Structure structure(24 * scale, scale, options.seed * 31 + static_cast<std::uint64_t>(layer.genus));
+  const Structure thickness(40 * scale, scale, options.seed * 37 + static_cast<std::uint64_t>(layer.genus));
+  const bool thin = isThin(layerClassOf(layer.opticalDepth()));
+  const LayerAround around = layersByCell.of(layer);
+  std::vector<Candidate> candidates;
+  const auto addLattice = [&](std::uint32_t firstNumber, double shift, double later) {
+    for (int row = 0; row < lattice.rows; ++row)
+      for (int column = 0; column < lattice.columns; ++column) {
+        Candidate candidate;
+        candidate.number = firstNumber + static_cast<std::uint32_t>(row * lattice.columns + column);
+        base::RandomStream stream(options.seed, layer.cell, base::Purpose::CloudPlace,
+                                  itemOf(layer, candidate.number));
+        const double jitter = chance < 1 || !recipe.sheet ? 1 : (thin ? kThinJitter : kJitter);
+        const auto along = [&](int i, int count) {
+          const double t = (i + 0.5 + shift + jitter * (stream.uniform() - 0.5)) / count;
+          return t < 1 ? t : t - 1;
+        };
+        const double u = along(column, lattice.columns), v = along(row, lattice.rows);
+        if (stream.uniform() >= chance) continue;
+        candidate.place = field::pointIn(grid, layer.cell, u, v);
+        if (!frame.box().contains(candidate.place.longitudeDegrees, candidate.place.latitudeDegrees))
+          continue;
+        const LayerAtPlace here = around.at(u, v);
+        const double softened = recipe.sheet ? 0.1 : 0.6;
+        const double deviate =
+            structure.along(candidate.place, {layer.windEast, layer.windNorth}, recipe.streets) +
+            softened * stream.gaussian();
+        candidate.rank = rankOf(deviate / std::sqrt(1 + softened * softened)) / here.fraction + later;
+        const double depth = (here.upperMeters - here.lowerMeters) / (1 - 2 * field::kBorderShare);
+        const CloudSize size = sizeOf(layer, candidate.number, depth, meanWidth, options);
+        candidate.depthMeters = static_cast<float>(size.depthMeters);
+        candidate.widthMeters = static_cast<float>(size.widthMeters);
+        candidate.baseMeters = static_cast<float>(here.lowerMeters - field::kBorderShare * depth);
+        const double deviation = thin ? 0 : kOpticalDepthDeviation;
+        candidate.opticalDepth =
+            static_cast<float>(here.opticalDepth * std::exp(deviation * thickness.at(candidate.place) -
+                                                            0.5 * deviation * deviation));
+        const glm::dvec3 scene =
+            frame.toScene(candidate.place.longitudeDegrees, candidate.place.latitudeDegrees, 0);
+        candidate.scenePlace = {scene.x, scene.z};
+        candidate.yawStep = yawStepOf(layer, candidate.number, candidate.place, options, frame);
+        candidates.push_back(candidate);
+      }
+  };
+  const auto places = static_cast<std::uint32_t>(lattice.columns * lattice.rows);
+  addLattice(0, 0, 0);
+  if (chance >= 1 && (recipe.sheet || recipe.form == shape::Form::Filaments))
+    addLattice(places, 0.5, kReserve);
+  if (recipe.form == shape::Form::Filaments && !recipe.sheet) addLattice(2 * places, 0.25, 2 * kReserve);
+  std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
+    return std::pair(a.rank, a.number) < std::pair(b.rank, b.number);
+  });
+  return candidates;
+}
+
+}  // namespace cloudgen::pipeline

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline/canvas.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numbers>
+
+namespace cloudgen::pipeline {
+namespace {
+
+constexpr double kMostPixels = 4e6, kMostValues = 2e7;
+constexpr double kRadians = std::numbers::pi / 180.0;
+constexpr float kCovering = static_cast<float>(kCoveringOpticalDepth);
+
+glm::dvec3 onSphere(double longitudeDegrees, double latitudeDegrees) {
+  const double lon = longitudeDegrees * kRadians, lat = latitudeDegrees * kRadians;
+  return {std::cos(lat) * std::cos(lon), std::cos(lat) * std::sin(lon), std::sin(lat)};
+}
+
+/// Geographic places of a raster's pixels. A map projection is slow: every eighth pixel is asked for, and
+/// those between lie between on the sphere.
+class PixelPlaces {
+ public:
+  PixelPlaces(const base::LocalFrame& frame, const glm::dvec2& lower, double pixelMeters, int columns,
+              int rows)
+      : columns_((columns + kStep - 1) / kStep + 1) {
+    const int nodeRows = (rows + kStep - 1) / kStep + 1;
+    for (int row = 0; row < nodeRows; ++row)
+      for (int column = 0; column < columns_; ++column) {
+        const glm::dvec3 geo = frame.toGeographic(
+            {lower.x + column * kStep * pixelMeters, 0, lower.y + row * kStep * pixelMeters});
+        nodes_.push_back(std::isfinite(geo.x) && std::isfinite(geo.y) ? onSphere(geo.x, geo.y)
+                                                                      : glm::dvec3(0));
+      }
+  }
+  field::GeoPoint at(int column, int row) const {
+    const int left = column / kStep, top = row / kStep;
+    const double a = (column % kStep + 0.5) / kStep, b = (row % kStep + 0.5) / kStep;
+    const auto node = [&](int i, int j) {
+      return nodes_[static_cast<std::size_t>(top + j) * static_cast<std::size_t>(columns_) +
+                    static_cast<std::size_t>(left + i)];
+    };
+    const glm::dvec3 p =
+        (1 - b) * ((1 - a) * node(0, 0) + a * node(1, 0)) + b * ((1 - a) * node(0, 1) + a * node(1, 1));
+    return {std::atan2(p.y, p.x) / kRadians, std::atan2(p.z, std::hypot(p.x, p.y)) / kRadians};
+  }
+
+ private:
+  static constexpr int kStep = 8;
+  int columns_;
+  std::vector<glm::dvec3> nodes_;
+};
+
+}  // namespace
+
+Canvas::Canvas(const field::Grid& grid, const base::LocalFrame& frame, std::span<const std::uint32_t> cells,
+               std::span<const field::Layer> layers, double pixelMeters)
+    : lower_(frame.lowerCorner()) {
+  for (const std::uint32_t cell : cells) cells_.push_back({cell});
+  gatherLayers(layers);
+  const glm::dvec2 size = glm::max(frame.upperCorner() - lower_, glm::dvec2(1));
+  const double most = std::min(kMostPixels, kMostValues / static_cast<double>(planes_));
+  pixelMeters_ = std::max(pixelMeters, std::sqrt(size.x * size.y / most));
+  columns_ = static_cast<int>(size.x / pixelMeters_) + 1;
+  rows_ = static_cast<int>(size.y / pixelMeters_) + 1;
+  assignPixels(grid, frame);
+  for (const PaintedCell& cell : cells_)
+    for (std::uint32_t i = cell.firstLayer; i < cell.firstLayer + cell.layerCount; ++i) {
+      const field::Layer& layer = layers[layers_[i].layer];
+      layers_[i].wantedCover = static_cast<double>(layer.fraction) * cell.pixels;
+      layers_[i].wantedOpticalDepth = layers_[i].wantedCover * layer.opticalDepth();
+    }
+  const std::size_t pixels = cellOf_.size();
+  values_.assign(planes_ * pixels, 0);
+  coveringPlanes_.assign(pixels, 0);
+  touchedAs_.assign(cells_.size(), 0);
+}
+
+void Canvas::assignPixels(const field::Grid& grid, const base::LocalFrame& frame) {
+  cellOf_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), -1);
+  const PixelPlaces places(frame, lower_, pixelMeters_, columns_, rows_);
+  const field::CellFinder finder(grid);
+  std::size_t pixel = 0;
+  for (int row = 0; row < rows_; ++row)
+    for (int column = 0; column < columns_; ++column, ++pixel) {
+      const field::GeoPoint place = places.at(column, row);
+      if (!frame.box().contains(place.longitudeDegrees, place.latitudeDegrees)) continue;
+      const auto cell = finder.at(place);
+      if (!cell) continue;
+      const std::uint32_t index = indexOf(*cell);
+      if (index >= cells_.size() || cells_[index].cell != *cell) continue;
+      cellOf_[pixel] = static_cast<std::int32_t>(index);
+      ++cells_[index].pixels;
+    }
+}
+
+void Canvas::gatherLayers(std::span<const field::Layer> layers) {
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t i = 0; i < layers.size(); ++i) order.push_back(i);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return std::tuple(layers[a].cell, layers[a].lowerMeters, layers[a].ordinal) <
+           std::tuple(layers[b].cell, layers[b].lowerMeters, layers[b].ordinal);
+  });
+  for (const std::uint32_t i : order) {
+    const field::Layer& layer = layers[i];
+    const std::uint32_t index = indexOf(layer.cell);
+    if (index >= cells_.size() || cells_[index].cell != layer.cell) continue;
+    PaintedCell& cell = cells_[index];
+    if (cell.layerCount == 0) cell.firstLayer = static_cast<std::uint32_t>(layers_.size());
+    ++cell.layerCount;
+    planes_ = std::max<std::size_t>(planes_, cell.layerCount);
+    PaintedLayer painted{i, layer.lowerMeters, layer.upperMeters};
+    painted.covers = layer.opticalDepth() >= kCovering;
+    layers_.push_back(painted);
+  }
+}
+
+std::uint32_t Canvas::indexOf(std::uint32_t cell) const {
+  const auto found = std::lower_bound(cells_.begin(), cells_.end(), cell,
+                                      [](const PaintedCell& a, std::uint32_t b) { return a.cell < b; });
+  return static_cast<std::uint32_t>(found - cells_.begin());
+}
+
+int Canvas::layerAt(const PaintedCell& cell, float baseMeters, float topMeters) const {
+  int best = -1;
+  float most = -std::numeric_limits<float>::max();
+  for (std::uint32_t i = cell.firstLayer; i < cell.firstLayer + cell.layerCount; ++i) {
+    const float overlap =
+        std::min(layers_[i].topMeters, topMeters) - std::max(layers_[i].baseMeters, baseMeters);
+    if (overlap > most) most = overlap, best = static_cast<int>(i);
+  }
+  return best;
+}
+
+void Canvas::brush(const Stamp& stamp, float sign, Stroke& stroke) {
+  stroke.dabs.clear();
+  stroke.touched.clear();
+  const double reach = stamp.footprint->reach() * stamp.widthMeters;
+  const glm::dvec2 at = (stamp.place - lower_) / pixelMeters_;
+  const double reachPixels = reach / pixelMeters_;
+  const auto within = [](double value, int count) {
+    return static_cast<int>(std::clamp(std::floor(value), 0.0, static_cast<double>(count - 1)));
+  };
+  const int left = within(at.x - reachPixels, columns_), right = within(at.x + reachPixels, columns_),
+            top = within(at.y - reachPixels, rows_), bottom = within(at.y + reachPixels, rows_);
+  const double cosine = std::cos(stamp.yawRadians) * pixelMeters_ / stamp.widthMeters,
+               sine = std::sin(stamp.yawRadians) * pixelMeters_ / stamp.widthMeters;
+  const double peak = sign * stamp.extinctionArea / (stamp.widthMeters * stamp.widthMeters);
+  std::int32_t lastCell = -1;
+  std::uint32_t touched = 0;
+  std::size_t plane = 0;
+  for (int row = top; row <= bottom; ++row) {
+    const double dz = row + 0.5 - at.y;
+    for (int column = left; column <= right; ++column) {
+      const auto pixel = static_cast<std::uint32_t>(row) * static_cast<std::uint32_t>(columns_) +
+                         static_cast<std::uint32_t>(column);
+      const std::int32_t cell = cellOf_[pixel];
+      if (cell < 0) continue;
+      const double dx = column + 0.5 - at.x;
+      const auto depth =
+          static_cast<float>(peak * stamp.footprint->at(cosine * dx - sine * dz, sine * dx + cosine * dz));
+      if (depth == 0) continue;
+      if (cell != lastCell) {
+        lastCell = cell;
+        const auto index = static_cast<std::uint32_t>(cell);
+        touched = touchedAs_[index];
+        if (touched >= stroke.touched.size() || stroke.touched[touched].cell != index) {
+          touched = touchedAs_[index] = static_cast<std::uint32_t>(stroke.touched.size());
+          const int layer = layerAt(cells_[index], stamp.baseMeters, stamp.topMeters);
+          stroke.touched.push_back({index, layer, 0, 0, 0});
+        }
+        const int layer = stroke.touched[touched].layer;
+        plane = layer < 0 ? 0 : static_cast<std::size_t>(layer) - cells_[index].firstLayer;
+      }
+      Stroke::Touched& change = stroke.touched[touched];
+      const std::size_t value = plane * cellOf_.size() + pixel;
+      change.opticalDepth += depth;
+      const bool before = values_[value] > kCovering, after = values_[value] + depth > kCovering;
+      if (before != after) {
+        change.coveredChange += after ? 1 : -1;
+        if (coveringPlanes_[pixel] == (after ? 0 : 1)) change.coveredByAnyChange += after ? 1 : -1;
+      }
+      stroke.dabs.push_back({value, pixel, touched, depth});
+    }
+  }
+}
+
+void Canvas::paint(const Stroke& stroke) {
+  for (const Stroke::Dab& dab : stroke.dabs) {
+    const bool before = values_[dab.value] > kCovering;
+    values_[dab.value] += dab.opticalDepth;
+    const bool after = values_[dab.value] > kCovering;
+    if (before == after) continue;
+    coveringPlanes_[dab.pixel] = static_cast<std::uint16_t>(coveringPlanes_[dab.pixel] + (after ? 1 : -1));
+  }
+  for (const Stroke::Touched& change : stroke.touched) {
+    cells_[change.cell].covered += change.coveredByAnyChange;
+    if (change.layer < 0) continue;
+    layers_[static_cast<std::size_t>(change.layer)].covered += change.coveredChange;
+    layers_[static_cast<std::size_t>(change.layer)].opticalDepth += change.opticalDepth;
+  }
+}
+
+void Canvas::clear() {
+  std::fill(values_.begin(), values_.end(), 0.0f);
+  std::fill(coveringPlanes_.begin(), coveringPlanes_.end(), std::uint16_t{0});
+  for (PaintedCell& cell : cells_) cell.covered = 0;
+  for (PaintedLayer& layer : layers_) layer.covered = 0, layer.opticalDepth = 0;
+}
+
+bool Canvas::coveredByOthers(const glm::dvec2& place, const PaintedLayer& layer) const {
+  const glm::dvec2 at = (place - lower_) / pixelMeters_;
+  const int column = std::clamp(static_cast<int>(at.x), 0, columns_ - 1),
+            row = std::clamp(static_cast<int>(at.y), 0, rows_ - 1);
+  const std::size_t pixel =
+      static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+  const std::int32_t cell = cellOf_[pixel];
+  if (cell < 0) return false;
+  const std::size_t own =
+      static_cast<std::size_t>(&layer - layers_.data()) - cells_[static_cast<std::size_t>(cell)].firstLayer;
+  const bool byOwn = own < planes_ && values_[own * cellOf_.size() + pixel] > kCovering;
+  return coveringPlanes_[pixel] > (byOwn ? 1 : 0);
+}
+
+}  // namespace cloudgen::pipeline

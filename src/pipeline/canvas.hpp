@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <span>
+#include <vector>
+
+#include "base/frame.hpp"
+#include "field/cloud_table.hpp"
+#include "field/grid.hpp"
+#include "pipeline/footprint.hpp"
+
+namespace cloudgen::pipeline {
+
+/// Seen from straight above, what has more than this optical depth is covered.
+inline constexpr double kCoveringOpticalDepth = 0.1;
+
+/// A cloud as it is painted.
+struct Stamp {
+  glm::dvec2 place{0};  ///< x and z of the scene
+  double widthMeters = 0, depthMeters = 0, yawRadians = 0;
+  double extinctionArea = 0;  ///< integral of extinction over space, m2
+  float baseMeters = 0, topMeters = 0;
+  const Footprint* footprint = nullptr;
+};
+
+/// A layer of a cell on the canvas: what it should show and what it shows, in pixels.
+struct PaintedLayer {
+  std::uint32_t layer = 0;  ///< index in the table
+  float baseMeters = 0, topMeters = 0;
+  bool covers = true;  ///< false for layers too thin to cover anything
+  double wantedCover = 0, wantedOpticalDepth = 0;
+  int covered = 0;
+  double opticalDepth = 0;
+};
+
+/// A model cell on the canvas. Its layers are layers()[firstLayer .. + layerCount).
+struct PaintedCell {
+  std::uint32_t cell = 0;  ///< grid index
+  int pixels = 0;          ///< inside the box
+  int covered = 0;         ///< by any layer
+  double wantedCover = 0;  ///< of all layers together
+  std::uint32_t firstLayer = 0, layerCount = 0;
+};
+
+/// What one stamp would change.
+struct Stroke {
+  struct Dab {
+    std::size_t value;  ///< index of the value of a plane at a pixel
+    std::uint32_t pixel;
+    std::uint32_t touched;
+    float opticalDepth;
+  };
+  struct Touched {
+    std::uint32_t cell;  ///< index in Canvas::cells()
+    int layer;           ///< index in Canvas::layers(), -1 where the cell is clear
+    int coveredChange, coveredByAnyChange;
+    double opticalDepth;
+  };
+  std::vector<Dab> dabs;
+  std::vector<Touched> touched;
+};
+
+/// The whole scene seen from above on a raster: the optical depth of each layer of each cell, and what of it
+/// is covered. A cloud that reaches into the next cell counts there for the layer at its own height.
+class Canvas {
+ public:
+  /// `cells`: those of the box, ascending; `layers` of them. pixelMeters is made larger where the box would
+  /// take more than four million pixels (fewer where cells have many layers).
+  Canvas(const field::Grid& grid, const base::LocalFrame& frame, std::span<const std::uint32_t> cells,
+         std::span<const field::Layer> layers, double pixelMeters);
+
+  double pixelSquareMeters() const { return pixelMeters_ * pixelMeters_; }
+  std::vector<PaintedCell>& cells() { return cells_; }
+  std::vector<PaintedLayer>& layers() { return layers_; }
+  /// Index in cells() of a grid cell.
+  std::uint32_t indexOf(std::uint32_t cell) const;
+
+  /// The stroke of a stamp: where it lies, and what adding it (sign 1) or taking it away (-1) changes.
+  void brush(const Stamp& stamp, float sign, Stroke& stroke);
+  void paint(const Stroke& stroke);
+  /// As if nothing had been painted.
+  void clear();
+  /// True if a layer other than this covers the place.
+  bool coveredByOthers(const glm::dvec2& place, const PaintedLayer& layer) const;
+
+ private:
+  void assignPixels(const field::Grid& grid, const base::LocalFrame& frame);
+  void gatherLayers(std::span<const field::Layer> layers);
+  int layerAt(const PaintedCell& cell, float baseMeters, float topMeters) const;
+
+  glm::dvec2 lower_{0};
+  double pixelMeters_ = 1;
+  int columns_ = 1, rows_ = 1;
+  std::vector<PaintedCell> cells_;
+  std::vector<PaintedLayer> layers_;
+  std::vector<std::int32_t> cellOf_;           ///< a pixel's, -1 outside the box
+  std::vector<std::uint16_t> coveringPlanes_;  ///< of a pixel
+  std::vector<std::uint32_t>
+      touchedAs_;  ///< of a cell: its place in the stroke that was brushed last, if it is there
+  std::size_t planes_ = 1;
+  std::vector<float> values_;  ///< plane by plane
+};
+
+}  // namespace cloudgen::pipeline

@@ -1,0 +1,384 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline/fitting.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <tuple>
+
+#include "pipeline/archetype.hpp"
+#include "scene/scene.hpp"
+
+namespace cloudgen::pipeline {
+namespace {
+
+/// Widths that a candidate is tried at, as shares of its own: in the steps that archetypes have.
+constexpr std::array<double, 6> kShares{1, 0.7071, 0.5, 0.3536, 0.25, 0.1768};
+constexpr int kRounds = 4, kBalancings = 2;
+/// Candidates that may fail one after the other before a layer is left as it is.
+constexpr int kPatience = 12;
+/// Weight of the cover of all layers together, beside that of each.
+constexpr double kWeightOfAll = 0.5;
+constexpr double kFullCover = 0.985;
+
+/// A candidate that stands.
+struct Taken {
+  std::uint32_t candidate = 0;
+  Stamp stamp;
+  double share = 0, next = 0;  ///< of the layer's water, m2; and what it comes to after balancing
+};
+
+/// The state of a layer while its clouds are found.
+struct Filling {
+  std::uint32_t layer = 0;    ///< in the table
+  std::uint32_t painted = 0;  ///< in the canvas
+  std::uint32_t cell = 0;     ///< in the canvas
+  std::vector<Candidate> candidates;
+  std::vector<std::uint32_t> open,
+      shaded;  ///< candidates not tried yet, best last: under open sky, under clouds
+  std::vector<Taken> taken;
+};
+
+std::uint64_t mixed(std::uint64_t x) {  // SplitMix64 (Steele et al. 2014)
+  x += 0x9e3779b97f4a7c15u;
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+  return x ^ (x >> 31);
+}
+
+double squared(double x) { return x * x; }
+
+class Fitting {
+ public:
+  Fitting(const CandidateContext& context, std::span<const std::uint32_t> cells,
+          std::span<const field::Layer> layers, FootprintBook& footprints, double pixelMeters)
+      : context_(context),
+        layers_(layers),
+        footprints_(footprints),
+        canvas_(context.grid, context.frame, cells, layers, pixelMeters) {
+    wantedOfAll_.assign(canvas_.cells().size(), 0);
+    gather();
+  }
+
+  std::vector<FittedCloud> run() {
+    for (Filling& filling : fillings_) fill(filling);
+    for (int round = 0; round < kRounds; ++round) {
+      shareOutWater();
+      for (int pass = 0; pass < kBalancings; ++pass) balanceOpticalDepth();
+      if (round + 1 == kRounds) break;
+      for (Filling& filling : fillings_) trim(filling);
+    }
+    std::vector<FittedCloud> clouds;
+    for (const Filling& filling : fillings_)
+      for (const Taken& taken : filling.taken)
+        clouds.push_back({filling.layer, filling.candidates[taken.candidate], taken.stamp.widthMeters,
+                          taken.stamp.depthMeters, taken.stamp.extinctionArea});
+    return clouds;
+  }
+
+ private:
+  /// One a layer, from the highest of a cell down, cells as if by chance.
+  void gather() {
+    std::vector<std::pair<int, std::uint64_t>> order;
+    const auto& cells = canvas_.cells();
+    for (std::uint32_t c = 0; c < cells.size(); ++c)
+      for (std::uint32_t i = 0; i < cells[c].layerCount; ++i) {
+        Filling filling;
+        filling.cell = c;
+        filling.painted = cells[c].firstLayer + i;
+        filling.layer = canvas_.layers()[filling.painted].layer;
+        fillings_.push_back(std::move(filling));
+      }
+    std::sort(fillings_.begin(), fillings_.end(), [&](const Filling& a, const Filling& b) {
+      const auto place = [&](const Filling& f) {
+        return std::tuple(cells[f.cell].firstLayer + cells[f.cell].layerCount - f.painted,
+                          mixed(cells[f.cell].cell), cells[f.cell].cell);
+      };
+      return place(a) < place(b);
+    });
+    for (Filling& filling : fillings_) filling.candidates = candidatesOf(context_, layers_[filling.layer]);
+  }
+
+  Stamp stampOf(const field::Layer& layer, const Candidate& candidate, double share) {
+    const shape::Recipe& recipe = context_.options.recipes.of(layer);
+    Stamp stamp;
+    stamp.place = candidate.scenePlace;
+    stamp.depthMeters = depthAt(recipe, candidate, share);
+    stamp.widthMeters = drawnWidthMeters(stamp.depthMeters, candidate.widthMeters * share);
+    stamp.yawRadians = scene::yawRadians(candidate.yawStep);
+    stamp.baseMeters = candidate.baseMeters;
+    stamp.topMeters = candidate.baseMeters + static_cast<float>(stamp.depthMeters);
+    const ArchetypeKey key =
+        shapeKeyOf(layer, candidate.number, stamp.depthMeters, stamp.widthMeters, context_.options);
+    stamp.footprint = &footprints_.of(key);
+    const double squareMeters = stamp.widthMeters * stamp.widthMeters;
+    const double covers = recipe.sheet
+                              ? coveredSquareMeters(recipe, 1)
+                              : stamp.footprint->coveredAlone(candidate.opticalDepth, kCoveringOpticalDepth);
+    stamp.extinctionArea = candidate.opticalDepth * covers * squareMeters;
+    return stamp;
+  }
+
+  /// A narrower heap is less deep, too: it would be a column.
+  static double depthAt(const shape::Recipe& recipe, const Candidate& candidate, double share) {
+    return recipe.form == shape::Form::Heap && !recipe.sheet ? candidate.depthMeters * std::max(0.3, share)
+                                                             : candidate.depthMeters;
+  }
+
+  /// Sheets and towers are made narrower only so far, or they would be something else.
+  static double narrowest(const shape::Recipe& recipe) {
+    return recipe.sheet || recipe.form == shape::Form::Tower ? 0.5 : 0;
+  }
+
+  /// How much nearer (below 0) or further the stroke takes the canvas to what is wanted.
+  double changeOfError(const Stroke& stroke) {
+    double change = 0;
+    for (const Stroke::Touched& touched : stroke.touched) {
+      const PaintedCell& cell = canvas_.cells()[touched.cell];
+      double here = 0;
+      if (touched.layer < 0) {
+        here += squared(cell.covered + touched.coveredByAnyChange) - squared(cell.covered);
+      } else {
+        const PaintedLayer& layer = canvas_.layers()[static_cast<std::size_t>(touched.layer)];
+        if (layer.covers)
+          here += squared(layer.covered + touched.coveredChange - layer.wantedCover) -
+                  squared(layer.covered - layer.wantedCover);
+        const double wanted = wantedOfAll_[touched.cell];
+        here += kWeightOfAll * (squared(cell.covered + touched.coveredByAnyChange - wanted) -
+                                squared(cell.covered - wanted));
+      }
+      change += here / cell.pixels;
+    }
+    return change;
+  }
+
+  /// Takes a candidate at the width that brings the canvas nearest to what is wanted, if any does.
+  bool take(Filling& filling, std::uint32_t number) {
+    const field::Layer& layer = layers_[filling.layer];
+    const bool sheet = context_.options.recipes.of(layer).sheet;
+    const PaintedLayer& painted = canvas_.layers()[filling.painted];
+    std::optional<Stamp> best;
+    double least = 0;
+    for (const double share : kShares) {
+      if (share < narrowest(context_.options.recipes.of(layer))) break;
+      const Stamp stamp = stampOf(layer, filling.candidates[number], share);
+      canvas_.brush(stamp, 1, stroke_);
+      const double change = changeOfError(stroke_);
+      if (!best ? change < 0 || (sheet && change <= 0) : change < least) best = stamp, least = change;
+      // Narrower ones come in question only where this one covers too much.
+      if (best && ownChange(filling) + painted.covered <= painted.wantedCover) break;
+    }
+    if (!best) return false;
+    canvas_.brush(*best, 1, stroke_);
+    canvas_.paint(stroke_);
+    filling.taken.push_back({number, *best, 0, 0});
+    return true;
+  }
+
+  int ownChange(const Filling& filling) const {
+    for (const Stroke::Touched& touched : stroke_.touched)
+      if (touched.layer == static_cast<int>(filling.painted)) return touched.coveredChange;
+    return 0;
+  }
+
+  bool isFull(const Filling& filling) {
+    const PaintedLayer& painted = canvas_.layers()[filling.painted];
+    const field::Layer& layer = layers_[filling.layer];
+    const double elements = 0.5 * static_cast<double>(filling.candidates.size());  // of the first lattice
+    const auto taken = static_cast<double>(filling.taken.size());
+    // A full sheet has all of its elements, or it would be uneven; a thin one no more than it is owed, or it
+    // would be thinner still.
+    if (context_.options.recipes.of(layer).sheet && layer.fraction >= kFullCover && taken < elements)
+      return false;
+    if (isThin(layerClassOf(layer.opticalDepth())) && taken >= layer.fraction * elements) return true;
+    if (!painted.covers) {
+      const double whole = static_cast<double>(filling.candidates.size());
+      return static_cast<double>(filling.taken.size()) >= layer.fraction * whole;
+    }
+    return painted.covered >= painted.wantedCover - 0.5;
+  }
+
+  void fill(Filling& filling) {
+    const PaintedCell& cell = canvas_.cells()[filling.cell];
+    const PaintedLayer& painted = canvas_.layers()[filling.painted];
+    if (cell.pixels == 0) return;
+    const double before = wantedOfAll_[filling.cell],
+                 fraction = painted.covers ? layers_[filling.layer].fraction : 0;
+    wantedOfAll_[filling.cell] = before + fraction * (cell.pixels - before);
+    coveredBefore_ = cell.covered;
+    for (auto i = static_cast<std::uint32_t>(filling.candidates.size()); i-- > 0;)
+      (canvas_.coveredByOthers(filling.candidates[i].scenePlace, painted) ? filling.shaded : filling.open)
+          .push_back(i);
+    addMore(filling);
+  }
+
+  void addMore(Filling& filling) {
+    int failed = 0;
+    while (!isFull(filling) && failed < kPatience) {
+      const std::optional<std::uint32_t> next = nextOf(filling);
+      if (!next) break;
+      failed = take(filling, *next) ? 0 : failed + 1;
+    }
+  }
+
+  /// The best of those under open sky or of those under clouds, whichever lag behind.
+  std::optional<std::uint32_t> nextOf(Filling& filling) {
+    const PaintedCell& cell = canvas_.cells()[filling.cell];
+    const PaintedLayer& painted = canvas_.layers()[filling.painted];
+    const double openWanted = wantedOfAll_[filling.cell] - cell.covered;
+    const double wanted = painted.wantedCover - painted.covered;
+    const bool open =
+        !filling.open.empty() &&
+        (filling.shaded.empty() || openWanted * (cell.pixels) >= wanted * (cell.pixels - coveredBefore_));
+    std::vector<std::uint32_t>& from = open ? filling.open : filling.shaded;
+    if (from.empty()) return std::nullopt;
+    const std::uint32_t next = from.back();
+    from.pop_back();
+    return next;
+  }
+
+  /// Gives clouds back, the last first, or takes more, as the canvas wants.
+  void trim(Filling& filling) {
+    const PaintedLayer& painted = canvas_.layers()[filling.painted];
+    if (canvas_.cells()[filling.cell].pixels == 0) return;
+    coveredBefore_ = canvas_.cells()[filling.cell].covered;
+    int failed = 0;
+    std::size_t i = filling.taken.size();
+    while (i-- > 0 && painted.covered > painted.wantedCover + 0.5 && failed < kPatience) {
+      if (giveBack(filling, i))
+        failed = 0;
+      else
+        ++failed;
+    }
+    if (painted.covered < painted.wantedCover) addMore(filling);
+  }
+
+  /// Takes a cloud away, or draws it narrower with the water that it has: what helps more, if anything does.
+  bool giveBack(Filling& filling, std::size_t i) {
+    constexpr double kDensest = 4;
+    const Stamp was = filling.taken[i].stamp;
+    canvas_.brush(was, -1, stroke_);
+    const double change = changeOfError(stroke_);
+    canvas_.paint(stroke_);
+    double least = filling.taken.size() > 1 ? std::min(0.0, change) : 0.0;
+    std::optional<Stamp> best;
+    const Candidate& candidate = filling.candidates[filling.taken[i].candidate];
+    for (const double share : kShares) {
+      if (share == 1) continue;
+      if (share < narrowest(context_.options.recipes.of(layers_[filling.layer]))) break;
+      Stamp narrower = stampOf(layers_[filling.layer], candidate, share);
+      if (!(narrower.widthMeters < 0.99 * was.widthMeters) || narrower.widthMeters < 0.35 * was.widthMeters)
+        continue;
+      // Not so narrow that it would hold many times what its ground should.
+      if (was.extinctionArea > kDensest * narrower.extinctionArea) break;
+      narrower.extinctionArea = was.extinctionArea;
+      canvas_.brush(narrower, 1, stroke_);
+      const double total = change + changeOfError(stroke_);
+      if (total < least) best = narrower, least = total;
+    }
+    const bool remove = !best && filling.taken.size() > 1 && change < 0;
+    const Stamp now = best.value_or(was);
+    if (remove) {
+      filling.taken.erase(filling.taken.begin() + static_cast<std::ptrdiff_t>(i));
+      return true;
+    }
+    canvas_.brush(now, 1, stroke_);
+    canvas_.paint(stroke_);
+    filling.taken[i].stamp = now;
+    return best.has_value();
+  }
+
+  /// The clouds of each layer hold what the layer holds.
+  void shareOutWater() {
+    for (Filling& filling : fillings_) {
+      double whole = 0;
+      for (const Taken& taken : filling.taken) whole += taken.stamp.extinctionArea;
+      const double wanted =
+          canvas_.layers()[filling.painted].wantedOpticalDepth * canvas_.pixelSquareMeters();
+      if (!(whole > 0) || !(wanted > 0)) continue;
+      for (Taken& taken : filling.taken) {
+        taken.stamp.extinctionArea *= wanted / whole;
+        taken.share = taken.stamp.extinctionArea;
+      }
+    }
+    repaint();
+  }
+
+  /// Moves water between clouds where the canvas shows too much or too little of it: what reaches over
+  /// borders. Within bounds, for a thin layer must not give its own away because a thick neighbour leans
+  /// over.
+  void balanceOpticalDepth() {
+    constexpr double kMost = 1.5;
+    const auto& layers = canvas_.layers();
+    for (Filling& filling : fillings_)
+      for (Taken& taken : filling.taken) {
+        canvas_.brush(taken.stamp, 1, stroke_);
+        double whole = 0, wanted = 0;
+        for (const Stroke::Touched& touched : stroke_.touched) {
+          whole += touched.opticalDepth;
+          if (touched.layer < 0) continue;
+          const PaintedLayer& layer = layers[static_cast<std::size_t>(touched.layer)];
+          if (layer.opticalDepth > 0)
+            wanted += touched.opticalDepth * layer.wantedOpticalDepth / layer.opticalDepth;
+        }
+        if (!(whole > 0)) continue;
+        taken.next =
+            std::clamp(taken.stamp.extinctionArea * wanted / whole, taken.share / kMost, taken.share * kMost);
+      }
+    for (Filling& filling : fillings_)
+      for (Taken& taken : filling.taken)
+        if (taken.next > 0) taken.stamp.extinctionArea = taken.next;
+    repaint();
+  }
+
+  void repaint() {
+    canvas_.clear();
+    for (const Filling& filling : fillings_)
+      for (const Taken& taken : filling.taken) {
+        canvas_.brush(taken.stamp, 1, stroke_);
+        canvas_.paint(stroke_);
+      }
+  }
+
+  const CandidateContext& context_;
+  std::span<const field::Layer> layers_;
+  FootprintBook& footprints_;
+  Canvas canvas_;
+  std::vector<double> wantedOfAll_;  ///< pixels, of the layers filled so far
+  std::vector<Filling> fillings_;
+  int coveredBefore_ = 0;
+  Stroke stroke_;
+};
+
+/// Fine enough to show a cell and what one cloud covers.
+double pixelMetersFor(const CandidateContext& context, std::span<const field::Layer> layers) {
+  double cell = 0, cloud = 0, weight = 0;
+  for (const field::Layer& layer : layers) {
+    const double area = field::cellAreaSquareMeters(context.grid, layer.cell) * layer.fraction;
+    const shape::Recipe& recipe = context.options.recipes.of(layer);
+    // Threads are finer than the clouds that they make up.
+    const double finer = recipe.form == shape::Form::Filaments && !recipe.sheet ? 9 : 1;
+    const double covers = coveredSquareMeters(recipe, meanWidthMeters(context.general, recipe,
+                                                                      layer.depthMeters(), layer.fraction)) /
+                          finer;
+    // The mean of inverse squares: the finest count most.
+    cell += area / field::cellAreaSquareMeters(context.grid, layer.cell);
+    cloud += area / covers;
+    weight += area;
+  }
+  if (weight <= 0) return 1e6;
+  const double cellMeters = std::sqrt(weight / cell), cloudMeters = std::sqrt(weight / cloud);
+  // Where a cloud spans many cells each needs but a pixel or two.
+  if (cloudMeters > 2 * cellMeters) return std::max(cellMeters / 2, cloudMeters / 12);
+  return std::min(cloudMeters / 4, cellMeters / (cellMeters > cloudMeters ? 20 : 4));
+}
+
+}  // namespace
+
+std::vector<FittedCloud> fitClouds(const CandidateContext& context, std::span<const std::uint32_t> cells,
+                                   std::span<const field::Layer> layers, FootprintBook& footprints) {
+  return Fitting(context, cells, layers, footprints, pixelMetersFor(context, layers)).run();
+}
+
+}  // namespace cloudgen::pipeline

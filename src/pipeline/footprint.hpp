@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <vector>
+
+#include "pipeline/archetype.hpp"
+
+namespace cloudgen::pipeline {
+
+/// A cloud seen from straight above: its vertical optical depth on a square raster, as a share of what the
+/// same extinction would give spread over the square of its width. Lengths are in widths, from its origin.
+class Footprint {
+ public:
+  Footprint(std::span<const shape::Puff> puffs, double widthMeters);
+  /// Between pixels linear; 0 beyond the puffs' reach.
+  float at(double x, double z) const;
+  /// How far it reaches from its origin.
+  double reach() const { return reach_; }
+  /// The ground, in squares of the width, that the cloud covers with more than `threshold` if it stands alone
+  /// and its optical depth over that ground is `opticalDepth`.
+  double coveredAlone(double opticalDepth, double threshold) const;
+
+ private:
+  glm::dvec2 lower_{0}, upper_{0};
+  double reach_ = 0;
+  int pixels_ = 1;  ///< along each side
+  std::vector<float> values_;
+  /// For each n: the greatest product of count and faintest value of the n or more brightest pixels.
+  std::vector<float> waterOfBrightest_;
+};
+
+/// Footprints of a build, each measured when it is first asked for. Any thread may ask.
+class FootprintBook {
+ public:
+  FootprintBook(const Options& options, const Generalisation& general)
+      : options_(options), general_(general) {}
+  const Footprint& of(const ArchetypeKey& key);
+
+ private:
+  struct Entry {
+    std::once_flag once;
+    std::unique_ptr<Footprint> footprint;
+  };
+  const Options& options_;
+  const Generalisation& general_;
+  std::mutex mutex_;
+  std::map<ArchetypeKey, Entry> entries_;
+};
+
+}  // namespace cloudgen::pipeline

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "shape/heights.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/quaternion.hpp>
+#include <numbers>
+#include <vector>
+
+namespace cloudgen::shape {
+namespace {
+
+/// A puff's extinction over height: a normal distribution.
+struct Upright {
+  double mean, deviation, weight;
+};
+
+bool fallsOut(const Puff& puff) { return puff.center.y < 0; }
+
+std::vector<Upright> uprights(std::span<const Puff> puffs, bool withPrecipitation) {
+  std::vector<Upright> out;
+  double whole = 0;
+  for (const Puff& puff : puffs) {
+    if (!withPrecipitation && fallsOut(puff)) continue;
+    const glm::mat3 axes = glm::mat3_cast(puff.rotation);
+    double variance = 0;
+    for (int k = 0; k < 3; ++k) variance += std::pow(static_cast<double>(puff.sigma[k]) * axes[k].y, 2);
+    out.push_back({puff.center.y, std::sqrt(variance), extinctionArea(puff)});
+    whole += out.back().weight;
+  }
+  for (Upright& puff : out) puff.weight /= whole;
+  return out;
+}
+
+double heightOfShare(const std::vector<Upright>& puffs, double share) {
+  double low = 1e30, high = -1e30;
+  for (const Upright& puff : puffs) {
+    low = std::min(low, puff.mean - 4 * puff.deviation);
+    high = std::max(high, puff.mean + 4 * puff.deviation);
+  }
+  for (int i = 0; i < 30; ++i) {
+    const double middle = 0.5 * (low + high);
+    double below = 0;
+    for (const Upright& puff : puffs)
+      below += puff.weight * 0.5 *
+               std::erfc((puff.mean - middle) / (std::max(puff.deviation, 1e-6) * std::numbers::sqrt2));
+    (below < share ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+}  // namespace
+
+double heightOfShare(std::span<const Puff> puffs, double share) {
+  return puffs.empty() ? 0 : heightOfShare(uprights(puffs, true), share);
+}
+
+void spreadBetween(std::span<Puff> puffs, double borderShare, double depthMeters) {
+  if (puffs.empty()) return;
+  // Puffs that lean keep their deviations, or they would no longer be ellipsoids of the same axes: what this
+  // leaves over, a second pass mends.
+  for (int pass = 0; pass < 3; ++pass) {
+    const std::vector<Upright> heights = uprights(puffs, false);
+    if (heights.empty()) return;
+    const double lower = heightOfShare(heights, borderShare), upper = heightOfShare(heights, 1 - borderShare);
+    const double stretch =
+        std::clamp((1 - 2 * borderShare) * depthMeters / std::max(upper - lower, 1e-3), 0.2, 5.0);
+    for (Puff& puff : puffs) {
+      if (fallsOut(puff)) continue;
+      puff.center.y =
+          std::max(0.0f, static_cast<float>(borderShare * depthMeters + (puff.center.y - lower) * stretch));
+      if (std::abs(puff.rotation.x) > 1e-4f || std::abs(puff.rotation.z) > 1e-4f) continue;
+      puff.sigma.y = static_cast<float>(puff.sigma.y * stretch);
+      puff.extinctionPerMeter = static_cast<float>(puff.extinctionPerMeter / stretch);
+    }
+  }
+  // What is left above the top would be seen as cloud there, however little it is, where the cloud is dense.
+  for (Puff& puff : puffs)
+    puff.center.y = std::min(puff.center.y, static_cast<float>(depthMeters) - 0.3f * puff.sigma.y);
+}
+
+void standOverCentroid(std::span<Puff> puffs) {
+  glm::dvec3 sum(0);
+  double whole = 0;
+  for (const Puff& puff : puffs) {
+    const double weight = extinctionArea(puff);
+    sum += weight * glm::dvec3(puff.center);
+    whole += weight;
+  }
+  if (!(whole > 0)) return;
+  const glm::vec3 aside(sum.x / whole, 0, sum.z / whole);
+  for (Puff& puff : puffs) puff.center -= aside;
+}
+
+}  // namespace cloudgen::shape

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+
+#include "shape/puff.hpp"
+
+namespace cloudgen::shape {
+
+/// The height below which a share (0..1) of the extinction of upright puffs lies, metres.
+double heightOfShare(std::span<const Puff> puffs, double share);
+
+/// Moves and stretches puffs upright so that `borderShare` of their extinction lies below that share of the
+/// depth, and as much above its counterpart from the top: as it does in an even layer of this depth. What
+/// falls out of the cloud (centres below 0) stays where it is.
+void spreadBetween(std::span<Puff> puffs, double borderShare, double depthMeters);
+
+/// Moves puffs sideways so that the centroid of their extinction is over the origin.
+void standOverCentroid(std::span<Puff> puffs);
+
+}  // namespace cloudgen::shape
