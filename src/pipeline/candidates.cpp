@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "pipeline/archetype.hpp"
 #include "pipeline/size.hpp"
@@ -52,7 +53,7 @@ std::vector<Candidate> candidatesOf(const CandidateContext& context, const field
   const Structure structure(24 * scale, scale, options.seed * 31 + static_cast<std::uint64_t>(layer.genus));
   const Structure thickness(40 * scale, scale, options.seed * 37 + static_cast<std::uint64_t>(layer.genus));
   const bool thin = isThin(layerClassOf(layer.opticalDepth()));
-  const LayerAround around = layersByCell.of(layer);
+  std::optional<LayerAround> around;  // asked for where there is a candidate at all
   std::vector<Candidate> candidates;
   const auto addLattice = [&](std::uint32_t firstNumber, double shift, double later) {
     for (int row = 0; row < lattice.rows; ++row)
@@ -71,7 +72,8 @@ std::vector<Candidate> candidatesOf(const CandidateContext& context, const field
         candidate.place = field::pointIn(grid, layer.cell, u, v);
         if (!frame.box().contains(candidate.place.longitudeDegrees, candidate.place.latitudeDegrees))
           continue;
-        const LayerAtPlace here = around.at(u, v);
+        if (!around) around = layersByCell.of(layer);
+        const LayerAtPlace here = around->at(u, v);
         const double softened = recipe.sheet ? 0.1 : 0.6;
         const double deviate =
             structure.along(candidate.place, {layer.windEast, layer.windNorth}, recipe.streets) +

@@ -72,8 +72,8 @@ class Canvas {
          std::span<const field::Layer> layers, double pixelMeters);
 
   double pixelSquareMeters() const { return pixelMeters_ * pixelMeters_; }
-  std::vector<PaintedCell>& cells() { return cells_; }
-  std::vector<PaintedLayer>& layers() { return layers_; }
+  const std::vector<PaintedCell>& cells() const { return cells_; }
+  const std::vector<PaintedLayer>& layers() const { return layers_; }
   /// Index in cells() of a grid cell.
   std::uint32_t indexOf(std::uint32_t cell) const;
 

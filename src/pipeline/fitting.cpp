@@ -7,6 +7,7 @@
 #include <optional>
 #include <tuple>
 
+#include "field/overlap.hpp"
 #include "pipeline/archetype.hpp"
 #include "scene/scene.hpp"
 
@@ -203,14 +204,23 @@ class Fitting {
     const PaintedCell& cell = canvas_.cells()[filling.cell];
     const PaintedLayer& painted = canvas_.layers()[filling.painted];
     if (cell.pixels == 0) return;
-    const double before = wantedOfAll_[filling.cell],
-                 fraction = painted.covers ? layers_[filling.layer].fraction : 0;
-    wantedOfAll_[filling.cell] = before + fraction * (cell.pixels - before);
+    wantedOfAll_[filling.cell] = cell.pixels * coverDownTo(filling);
     coveredBefore_ = cell.covered;
     for (auto i = static_cast<std::uint32_t>(filling.candidates.size()); i-- > 0;)
       (canvas_.coveredByOthers(filling.candidates[i].scenePlace, painted) ? filling.shaded : filling.open)
           .push_back(i);
     addMore(filling);
+  }
+
+  /// Of a layer and those above it in its cell together.
+  double coverDownTo(const Filling& filling) const {
+    const PaintedCell& cell = canvas_.cells()[filling.cell];
+    std::vector<field::CoverLayer> above;
+    for (std::uint32_t i = filling.painted; i < cell.firstLayer + cell.layerCount; ++i) {
+      const field::Layer& layer = layers_[canvas_.layers()[i].layer];
+      if (canvas_.layers()[i].covers) above.push_back({layer.fraction, layer.baseMeters, layer.topMeters});
+    }
+    return field::overlappedCover(above, field::centerOf(context_.grid, cell.cell).latitudeDegrees);
   }
 
   void addMore(Filling& filling) {
