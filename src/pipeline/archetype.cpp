@@ -17,7 +17,7 @@ namespace {
 constexpr float kClosed = 0.9f;
 constexpr int kClosedClass = 1;
 constexpr std::uint64_t kDither = 1ull << 62;  ///< the address of another draw
-constexpr double kAspectStep = 1.4142135623730951, kOpticalDepthStep = 1.4142135623730951;
+constexpr double kAspectStep = 1.4142135623730951, kOpticalDepthStep = 2.0;
 
 int classOf(double value, double step) {
   return static_cast<int>(std::lround(std::log(value) / std::log(step)));
@@ -38,7 +38,7 @@ double faintShare(const std::vector<shape::Puff>& puffs, double factor) {
 
 /// Opacities must tell optical depths apart: those of a cloud are up to a class above the archetype's.
 void divideDense(shape::CloudShape& cloud) {
-  constexpr float kMostOpticalDepth = 10;
+  constexpr float kMostOpticalDepth = 16;
   shape::CloudShape out;
   for (std::size_t section = 0; section + 1 < cloud.sectionStart.size(); ++section) {
     out.sectionStart.push_back(static_cast<std::uint32_t>(out.puffs.size()));

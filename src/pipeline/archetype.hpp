@@ -12,7 +12,7 @@
 
 namespace cloudgen::pipeline {
 
-inline constexpr int kVariants = 4;
+inline constexpr int kVariants = 3;
 
 /// What an archetype is shared by. Classes are logarithms in steps of the root of 2; that of the optical
 /// depth is rounded by chance, so that the mean of many clouds is right where a format draws archetypes as
