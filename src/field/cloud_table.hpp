@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <string_view>
@@ -44,6 +45,11 @@ struct Layer {
   float depthMeters() const { return topMeters - baseMeters; }
   float opticalDepth() const { return liquidOpticalDepth + iceOpticalDepth; }
 };
+
+/// How many metres of height two layers share; below 0, how far apart they are.
+inline float overlapMeters(const Layer& a, const Layer& b) {
+  return std::min(a.topMeters, b.topMeters) - std::max(a.baseMeters, b.baseMeters);
+}
 
 /// A cloud to be made: what steps 4 and 5 decide.
 struct Cloud {

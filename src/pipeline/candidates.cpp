@@ -39,7 +39,7 @@ double densityOf(const field::Layer& layer, const shape::Recipe& recipe) {
 
 }  // namespace
 
-std::vector<Candidate> candidatesOf(const CandidateContext& context, const field::Layer& layer) {
+Candidates candidatesOf(const CandidateContext& context, const field::Layer& layer) {
   const auto& [grid, frame, options, general, layersByCell] = context;
   const shape::Recipe& recipe = options.recipes.of(layer);
   const double meanWidth = meanWidthMeters(general, recipe, layer.depthMeters(), layer.fraction);
@@ -47,14 +47,15 @@ std::vector<Candidate> candidatesOf(const CandidateContext& context, const field
   const double area = field::cellAreaSquareMeters(grid, layer.cell);
   const double wanted = std::min(kMostCandidates, densityOf(layer, recipe) * area / covers);
   const Lattice lattice = latticeOf(field::cellSidesMeters(grid, layer.cell), wanted);
-  // Twice as often as needed, so that there is a choice.
-  const double chance = wanted < 1 ? 2 * wanted : 1;
+  const bool thin = isThin(layerClassOf(layer.opticalDepth()));
+  // Twice as often as needed, so that there is a choice; thin ones are all taken.
+  const double chance = wanted < 1 ? (thin ? layer.fraction : 2) * wanted : 1;
   const double scale = std::sqrt(covers);
   const Structure structure(24 * scale, scale, options.seed * 31 + static_cast<std::uint64_t>(layer.genus));
   const Structure thickness(40 * scale, scale, options.seed * 37 + static_cast<std::uint64_t>(layer.genus));
-  const bool thin = isThin(layerClassOf(layer.opticalDepth()));
   std::optional<LayerAround> around;  // asked for where there is a candidate at all
-  std::vector<Candidate> candidates;
+  Candidates candidates;
+  candidates.everyCell = wanted >= 1;
   const auto addLattice = [&](std::uint32_t firstNumber, double shift, double later) {
     for (int row = 0; row < lattice.rows; ++row)
       for (int column = 0; column < lattice.columns; ++column) {
@@ -62,7 +63,7 @@ std::vector<Candidate> candidatesOf(const CandidateContext& context, const field
         candidate.number = firstNumber + static_cast<std::uint32_t>(row * lattice.columns + column);
         base::RandomStream stream(options.seed, layer.cell, base::Purpose::CloudPlace,
                                   itemOf(layer, candidate.number));
-        const double jitter = chance < 1 || !recipe.sheet ? 1 : (thin ? kThinJitter : kJitter);
+        const double jitter = !candidates.everyCell || !recipe.sheet ? 1 : (thin ? kThinJitter : kJitter);
         const auto along = [&](int i, int count) {
           const double t = (i + 0.5 + shift + jitter * (stream.uniform() - 0.5)) / count;
           return t < 1 ? t : t - 1;
@@ -92,15 +93,17 @@ std::vector<Candidate> candidatesOf(const CandidateContext& context, const field
             frame.toScene(candidate.place.longitudeDegrees, candidate.place.latitudeDegrees, 0);
         candidate.scenePlace = {scene.x, scene.z};
         candidate.yawStep = yawStepOf(layer, candidate.number, candidate.place, options, frame);
-        candidates.push_back(candidate);
+        candidates.list.push_back(candidate);
       }
   };
   const auto places = static_cast<std::uint32_t>(lattice.columns * lattice.rows);
   addLattice(0, 0, 0);
-  if (chance >= 1 && (recipe.sheet || recipe.form == shape::Form::Filaments))
+  candidates.elements = candidates.list.size();
+  if (candidates.everyCell && (recipe.sheet || recipe.form == shape::Form::Filaments))
     addLattice(places, 0.5, kReserve);
-  if (recipe.form == shape::Form::Filaments && !recipe.sheet) addLattice(2 * places, 0.25, 2 * kReserve);
-  std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
+  if (candidates.everyCell && recipe.form == shape::Form::Filaments && !recipe.sheet)
+    addLattice(2 * places, 0.25, 2 * kReserve);
+  std::sort(candidates.list.begin(), candidates.list.end(), [](const Candidate& a, const Candidate& b) {
     return std::pair(a.rank, a.number) < std::pair(b.rank, b.number);
   });
   return candidates;

@@ -31,10 +31,17 @@ struct CandidateContext {
   const LayersByCell& layersByCell;
 };
 
-/// All places inside the box where a cloud of a layer may stand, best first: a jittered lattice over its
+/// What a layer may have.
+struct Candidates {
+  std::vector<Candidate> list;  ///< best first
+  std::size_t elements = 0;     ///< of them, those that would cover the whole cell
+  bool everyCell = true;        ///< false where a cloud covers more than a cell: some have none
+};
+
+/// All places inside the box where a cloud of a layer may stand: a jittered lattice over its
 /// cell, ranked by a noise that knows no cells and by the cover, which passes smoothly into the neighbours'.
 /// About three times as many as the layer needs; elements of a sheet, as many as would cover the whole cell.
 /// Where a cell is smaller than what a cloud covers it has one now and then.
-std::vector<Candidate> candidatesOf(const CandidateContext& context, const field::Layer& layer);
+Candidates candidatesOf(const CandidateContext& context, const field::Layer& layer);
 
 }  // namespace cloudgen::pipeline

@@ -35,9 +35,9 @@ struct Filling {
   std::uint32_t layer = 0;    ///< in the table
   std::uint32_t painted = 0;  ///< in the canvas
   std::uint32_t cell = 0;     ///< in the canvas
-  std::vector<Candidate> candidates;
-  std::vector<std::uint32_t> open,
-      shaded;  ///< candidates not tried yet, best last: under open sky, under clouds
+  Candidates candidates;
+  /// Candidates not tried yet, best last: under open sky, under clouds.
+  std::vector<std::uint32_t> open, shaded;
   std::vector<Taken> taken;
 };
 
@@ -73,7 +73,7 @@ class Fitting {
     std::vector<FittedCloud> clouds;
     for (const Filling& filling : fillings_)
       for (const Taken& taken : filling.taken)
-        clouds.push_back({filling.layer, filling.candidates[taken.candidate], taken.stamp.widthMeters,
+        clouds.push_back({filling.layer, filling.candidates.list[taken.candidate], taken.stamp.widthMeters,
                           taken.stamp.depthMeters, taken.stamp.extinctionArea});
     return clouds;
   }
@@ -81,7 +81,6 @@ class Fitting {
  private:
   /// One a layer, from the highest of a cell down, cells as if by chance.
   void gather() {
-    std::vector<std::pair<int, std::uint64_t>> order;
     const auto& cells = canvas_.cells();
     for (std::uint32_t c = 0; c < cells.size(); ++c)
       for (std::uint32_t i = 0; i < cells[c].layerCount; ++i) {
@@ -163,7 +162,7 @@ class Fitting {
     double least = 0;
     for (const double share : kShares) {
       if (share < narrowest(context_.options.recipes.of(layer))) break;
-      const Stamp stamp = stampOf(layer, filling.candidates[number], share);
+      const Stamp stamp = stampOf(layer, filling.candidates.list[number], share);
       canvas_.brush(stamp, 1, stroke_);
       const double change = changeOfError(stroke_);
       if (!best ? change < 0 || (sheet && change <= 0) : change < least) best = stamp, least = change;
@@ -186,16 +185,15 @@ class Fitting {
   bool isFull(const Filling& filling) {
     const PaintedLayer& painted = canvas_.layers()[filling.painted];
     const field::Layer& layer = layers_[filling.layer];
-    const double elements = 0.5 * static_cast<double>(filling.candidates.size());  // of the first lattice
-    const auto taken = static_cast<double>(filling.taken.size());
+    const auto elements = static_cast<double>(filling.candidates.elements),
+               taken = static_cast<double>(filling.taken.size());
     // A full sheet has all of its elements, or it would be uneven; a thin one no more than it is owed, or it
     // would be thinner still.
     if (context_.options.recipes.of(layer).sheet && layer.fraction >= kFullCover && taken < elements)
       return false;
-    if (isThin(layerClassOf(layer.opticalDepth())) && taken >= layer.fraction * elements) return true;
-    if (!painted.covers) {
-      const double whole = static_cast<double>(filling.candidates.size());
-      return static_cast<double>(filling.taken.size()) >= layer.fraction * whole;
+    if (isThin(layerClassOf(layer.opticalDepth()))) {
+      const bool isOwed = taken < layer.fraction * elements;
+      if (!isOwed || !painted.covers) return !isOwed;
     }
     return painted.covered >= painted.wantedCover - 0.5;
   }
@@ -206,8 +204,8 @@ class Fitting {
     if (cell.pixels == 0) return;
     wantedOfAll_[filling.cell] = cell.pixels * coverDownTo(filling);
     coveredBefore_ = cell.covered;
-    for (auto i = static_cast<std::uint32_t>(filling.candidates.size()); i-- > 0;)
-      (canvas_.coveredByOthers(filling.candidates[i].scenePlace, painted) ? filling.shaded : filling.open)
+    for (auto i = static_cast<std::uint32_t>(filling.candidates.list.size()); i-- > 0;)
+      (canvas_.coveredByOthers(filling.candidates.list[i].scenePlace, painted) ? filling.shaded : filling.open)
           .push_back(i);
     addMore(filling);
   }
@@ -273,7 +271,7 @@ class Fitting {
     canvas_.paint(stroke_);
     double least = filling.taken.size() > 1 ? std::min(0.0, change) : 0.0;
     std::optional<Stamp> best;
-    const Candidate& candidate = filling.candidates[filling.taken[i].candidate];
+    const Candidate& candidate = filling.candidates.list[filling.taken[i].candidate];
     for (const double share : kShares) {
       if (share == 1) continue;
       if (share < narrowest(context_.options.recipes.of(layers_[filling.layer]))) break;
@@ -317,9 +315,9 @@ class Fitting {
 
   /// Moves water between clouds where the canvas shows too much or too little of it: what reaches over
   /// borders. Within bounds, for a thin layer must not give its own away because a thick neighbour leans
-  /// over.
+  /// over; wider ones where a cloud stands for the layers of many cells.
   void balanceOpticalDepth() {
-    constexpr double kMost = 1.5;
+    constexpr double kMost = 1.5, kMostOfMany = 100;
     const auto& layers = canvas_.layers();
     for (Filling& filling : fillings_)
       for (Taken& taken : filling.taken) {
@@ -333,8 +331,9 @@ class Fitting {
             wanted += touched.opticalDepth * layer.wantedOpticalDepth / layer.opticalDepth;
         }
         if (!(whole > 0)) continue;
+        const double most = filling.candidates.everyCell ? kMost : kMostOfMany;
         taken.next =
-            std::clamp(taken.stamp.extinctionArea * wanted / whole, taken.share / kMost, taken.share * kMost);
+            std::clamp(taken.stamp.extinctionArea * wanted / whole, taken.share / most, taken.share * most);
       }
     for (Filling& filling : fillings_)
       for (Taken& taken : filling.taken)

@@ -8,10 +8,6 @@
 namespace cloudgen::pipeline {
 namespace {
 
-double overlapMeters(const field::Layer& a, const field::Layer& b) {
-  return std::min(a.topMeters, b.topMeters) - std::max(a.baseMeters, b.baseMeters);
-}
-
 /// From -0.5..0.5 in the cell to how far one has gone towards the next centre: nothing in the middle half.
 double pastTheMiddle(double t) { return std::copysign(2 * std::max(0.0, std::abs(t) - 0.25), t); }
 
@@ -91,7 +87,7 @@ LayerAround LayersByCell::of(const field::Layer& layer) const {
                                         [](const field::Layer* a, std::uint32_t b) { return a->cell < b; });
     double most = 0;
     for (auto it = first; it != byCell_.end() && (*it)->cell == cell; ++it) {
-      const double overlap = overlapMeters(layer, **it);
+      const double overlap = field::overlapMeters(layer, **it);
       if (overlap <= 0.5 * std::min(layer.depthMeters(), (*it)->depthMeters()) || overlap <= most) continue;
       most = overlap;
       next.layer = *it;

@@ -72,10 +72,6 @@ Layer layerOf(std::span<const CloudCell> cells, const field::ColumnState& state,
   return layer;
 }
 
-float overlap(const Layer& a, const Layer& b) {
-  return std::min(a.topMeters, b.topMeters) - std::max(a.baseMeters, b.baseMeters);
-}
-
 /// Disjoint sets with path halving.
 struct Sets {
   std::vector<std::uint32_t> parent;
@@ -160,7 +156,7 @@ std::uint32_t joinPatches(const field::Grid& grid, std::vector<Layer>& layers) {
       if (found == byCell.end()) continue;
       for (const std::uint32_t a : here)
         for (const std::uint32_t b : found->second)
-          if (overlap(layers[a], layers[b]) >
+          if (field::overlapMeters(layers[a], layers[b]) >
               0.5f * std::min(layers[a].depthMeters(), layers[b].depthMeters()))
             sets.join(a, b);
     }

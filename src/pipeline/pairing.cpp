@@ -17,7 +17,7 @@ constexpr float kLeastCover = 0.005f;
 
 /// Clear air between two layers, m; negative where they overlap.
 float gapBetween(const Layer& a, const Layer& b) {
-  return std::max(a.baseMeters, b.baseMeters) - std::min(a.topMeters, b.topMeters);
+  return -field::overlapMeters(a, b);
 }
 
 float middle(const Layer& layer) { return 0.5f * (layer.baseMeters + layer.topMeters); }

@@ -13,9 +13,8 @@ using field::Layer;
 
 /// How far two layers are the same one, 0..1.
 float togetherness(const Layer& a, const Layer& b) {
-  const float shared = std::min(a.topMeters, b.topMeters) - std::max(a.baseMeters, b.baseMeters);
   const float thinner = std::min(a.depthMeters(), b.depthMeters());
-  return thinner > 0 ? std::clamp(shared / thinner, 0.0f, 1.0f) : 0.0f;
+  return thinner > 0 ? std::clamp(field::overlapMeters(a, b) / thinner, 0.0f, 1.0f) : 0.0f;
 }
 
 /// Layers and what goes on from them: layer i counts itself and others by links[start[i]] up to

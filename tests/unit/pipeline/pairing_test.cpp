@@ -68,15 +68,20 @@ TEST(Pairing, TheFinerGridIsTakenWhereItIsAllThere) {
   EXPECT_FALSE(overlayOf(kCoarse, half, box).standOnTyping());
 }
 
-TEST(Pairing, CloudsOfTheModelStayWhereTheTypingHasNothing) {
-  test::MadeSource model(10, 40, 1, 4, 4), typing(10, 40, 0.25, 8, 16);
+/// A model of water all over, and a typing that says stratocumulus wherever it is.
+Outcome runWithTyping(test::MadeSource& model, test::MadeSource& typing) {
   field::StatedLayer water = test::cumulusLayer();
   water.genus.reset();
   model.cover(water);
   typing.cover(test::stratocumulusLayer());
   Options options = test::usualOptions(20'000);
   options.typing = &typing;
-  const Outcome outcome = run(model, options, {});
+  return run(model, options, {});
+}
+
+TEST(Pairing, CloudsOfTheModelStayWhereTheTypingHasNothing) {
+  test::MadeSource model(10, 40, 1, 4, 4), typing(10, 40, 0.25, 8, 16);
+  const Outcome outcome = runWithTyping(model, typing);
   EXPECT_EQ(outcome.layers, 16u);
   EXPECT_EQ(outcome.pairing->modelAlone, 8u);
   EXPECT_TRUE(std::any_of(outcome.warnings.begin(), outcome.warnings.end(), [](const std::string& warning) {
@@ -186,13 +191,7 @@ TEST(Pairing, ABoxGivesTheSameLayersAsTheWhole) {
 
 TEST(Pairing, ARunWithATypingReportsIt) {
   test::MadeSource model(10, 40, 1, 2, 2), typing(10, 40, 0.25, 8, 8);
-  field::StatedLayer water = test::cumulusLayer();
-  water.genus.reset();
-  model.cover(water);
-  typing.cover(test::stratocumulusLayer());
-  Options options = test::usualOptions(20'000);
-  options.typing = &typing;
-  const Outcome outcome = run(model, options, {});
+  const Outcome outcome = runWithTyping(model, typing);
   ASSERT_TRUE(outcome.pairing);
   EXPECT_EQ(outcome.pairing->agreeingColumns, 64u);
   ASSERT_FALSE(outcome.scene.clouds.empty());

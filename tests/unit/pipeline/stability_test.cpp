@@ -81,8 +81,7 @@ const Layer* counterpart(const Layer& layer, const std::vector<Layer>& others) {
   const auto first = std::partition_point(others.begin(), others.end(),
                                           [&](const Layer& other) { return other.cell < layer.cell; });
   for (auto other = first; other != others.end() && other->cell == layer.cell; ++other) {
-    const float shared =
-        std::min(layer.topMeters, other->topMeters) - std::max(layer.baseMeters, other->baseMeters);
+    const float shared = field::overlapMeters(layer, *other);
     if (shared > most) best = &*other, most = shared;
   }
   return best;
@@ -133,7 +132,7 @@ class Stability : public testing::Test {
         kept.compare(source->grid(), before,
                      typedLayers(NoisySource(*source, static_cast<std::uint64_t>(draw), cells), cells));
     }
-    std::cout << name << ": " << kept << "\n";
+    RecordProperty("kept", testing::PrintToString(kept));
     return kept;
   }
 };
