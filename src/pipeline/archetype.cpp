@@ -7,8 +7,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "pipeline/canvas.hpp"
 #include "scene/scene.hpp"
 #include "shape/heights.hpp"
+#include "shape/reduce.hpp"
 
 namespace cloudgen::pipeline {
 namespace {
@@ -50,6 +52,45 @@ void divideDense(shape::CloudShape& cloud) {
   }
   out.sectionStart.push_back(static_cast<std::uint32_t>(out.puffs.size()));
   cloud = std::move(out);
+}
+
+/// Fewer puffs than a genus is told by near at hand are larger, so that together they fill as much space (as
+/// much ground, where they lie side by side).
+void fillWithFew(std::vector<shape::Puff>& puffs, const shape::Recipe& recipe, int asked) {
+  constexpr double kWidest = 3;
+  const double fewer = static_cast<double>(fewestPuffs(recipe)) / std::max(1, asked);
+  if (recipe.form == shape::Form::Veil || recipe.form == shape::Form::Filaments || fewer <= 1) return;
+  const bool flat = recipe.form == shape::Form::Cells;
+  const auto wider = static_cast<float>(std::min(kWidest, flat ? std::sqrt(fewer) : std::cbrt(fewer)));
+  const glm::vec3 by(wider, flat ? 1.0f : wider, wider);
+  for (shape::Puff& puff : puffs) {
+    puff.sigma *= by;
+    puff.extinctionPerMeter /= by.x * by.y * by.z;
+  }
+}
+
+/// Few puffs of a sheet are wide: what they reach out beyond the element they are drawn in again, or it would
+/// cover more than its width says.
+void holdWithin(std::vector<shape::Puff>& puffs, double widthMeters) {
+  constexpr double kDeviation = 0.31;  ///< of an element of many puffs, in widths
+  double whole = 0, square = 0;
+  for (const shape::Puff& puff : puffs) {
+    const glm::mat3 axes = glm::mat3_cast(puff.rotation);
+    double own = 0;
+    for (int k = 0; k < 3; ++k)
+      own += std::pow(puff.sigma[k], 2) * (std::pow(axes[k].x, 2) + std::pow(axes[k].z, 2));
+    const double area = shape::extinctionArea(puff);
+    whole += area;
+    square += area * 0.5 * (own + puff.center.x * puff.center.x + puff.center.z * puff.center.z);
+  }
+  const double deviation = std::sqrt(square / whole);
+  if (!(deviation > kDeviation * widthMeters)) return;
+  const auto narrower = static_cast<float>(kDeviation * widthMeters / deviation);
+  for (shape::Puff& puff : puffs) {
+    puff.center *= glm::vec3(narrower, 1, narrower);
+    puff.sigma *= glm::vec3(narrower, 1, narrower);
+    puff.extinctionPerMeter /= narrower * narrower;
+  }
 }
 
 /// 0 calm, 1 sheared, 2 strongly sheared: the lean of the top over the depth is a quarter of the class.
@@ -131,10 +172,32 @@ ArchetypeShape shapeOf(const ArchetypeKey& key, const Options& options, const Ge
   // Heaps bulge in the middle: they end where a little of them is left over, or they would be drawn out to
   // columns.
   const bool heaped = recipe.form == shape::Form::Heap || recipe.form == shape::Form::Tower;
+  fillWithFew(out.cloud.puffs, recipe, request.puffs);
+  if (recipe.form == shape::Form::Veil) holdWithin(out.cloud.puffs, out.widthMeters);
   shape::spreadBetween(out.cloud.puffs, heaped ? 0.03 : field::kBorderShare, out.depthMeters);
   divideDense(out.cloud);
   shape::standOverCentroid(out.cloud.puffs);
   return out;
+}
+
+std::vector<shape::Puff> farPuffsOf(std::span<const shape::Puff> puffs, double widthMeters,
+                                    double opticalDepth) {
+  constexpr int kFarPuffs = 6;
+  std::vector<shape::Puff> far = shape::reduce(puffs, kFarPuffs);
+  if (far.empty()) return far;
+  const auto covered = [&](std::span<const shape::Puff> of) {
+    return Footprint(of, widthMeters).coveredAlone(opticalDepth, kCoveringOpticalDepth);
+  };
+  // Moments alone make few blobs that reach out further than the many did.
+  const double wanted = covered(puffs);
+  for (int pass = 0; pass < 2; ++pass) {
+    const auto by = static_cast<float>(std::clamp(std::sqrt(wanted / covered(far)), 0.7, 1.4));
+    for (shape::Puff& puff : far) {
+      puff.sigma *= glm::vec3(by, 1, by);
+      puff.extinctionPerMeter /= by * by;
+    }
+  }
+  return far;
 }
 
 std::string nameOf(const ArchetypeKey& key) {

@@ -43,6 +43,10 @@ struct ArchetypeShape {
 };
 ArchetypeShape shapeOf(const ArchetypeKey& key, const Options& options, const Generalisation& general);
 
+/// The same cloud from far away: six puffs that cover as much ground, seen from above, at an optical depth.
+std::vector<shape::Puff> farPuffsOf(std::span<const shape::Puff> puffs, double widthMeters,
+                                    double opticalDepth);
+
 std::string nameOf(const ArchetypeKey& key);
 
 /// The heading of a cloud, in steps of scene::kYawSteps: with the wind at its level where the recipe says so,

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <tuple>
 
@@ -15,13 +16,13 @@ namespace cloudgen::pipeline {
 namespace {
 
 /// Widths that a candidate is tried at, as shares of its own: in the steps that archetypes have.
-constexpr std::array<double, 6> kShares{1, 0.7071, 0.5, 0.3536, 0.25, 0.1768};
-constexpr int kRounds = 4, kBalancings = 2;
+constexpr std::array<double, 8> kShares{1, 0.7071, 0.5, 0.3536, 0.25, 0.1768, 0.125, 0.0884};
+constexpr int kRounds = 4, kBalancings = 2, kLastBalancings = 8;
 /// Candidates that may fail one after the other before a layer is left as it is.
 constexpr int kPatience = 12;
 /// Weight of the cover of all layers together, beside that of each.
 constexpr double kWeightOfAll = 0.5;
-constexpr double kFullCover = 0.985;
+constexpr double kFullCover = 0.985, kNear = 0.01;
 
 /// A candidate that stands.
 struct Taken {
@@ -66,9 +67,11 @@ class Fitting {
     for (Filling& filling : fillings_) fill(filling);
     for (int round = 0; round < kRounds; ++round) {
       shareOutWater();
-      for (int pass = 0; pass < kBalancings; ++pass) balanceOpticalDepth();
-      if (round + 1 == kRounds) break;
-      for (Filling& filling : fillings_) trim(filling);
+      balanceOpticalDepth(round + 1 < kRounds ? kBalancings : kLastBalancings);
+      for (Filling& filling : fillings_) {
+        redraw(filling);
+        if (round + 1 < kRounds) addWhereCoverIsMissing(filling);
+      }
     }
     std::vector<FittedCloud> clouds;
     for (const Filling& filling : fillings_)
@@ -100,6 +103,10 @@ class Fitting {
     for (Filling& filling : fillings_) filling.candidates = candidatesOf(context_, layers_[filling.layer]);
   }
 
+  const shape::Recipe& recipeOf(const Filling& filling) const {
+    return context_.options.recipes.of(layers_[filling.layer]);
+  }
+
   Stamp stampOf(const field::Layer& layer, const Candidate& candidate, double share) {
     const shape::Recipe& recipe = context_.options.recipes.of(layer);
     Stamp stamp;
@@ -120,6 +127,15 @@ class Fitting {
     return stamp;
   }
 
+  /// What a cloud may hold, m2: a few times what it would if its optical depth were the layer's over all that
+  /// it covers alone, or that it stands for among others.
+  static double mostHeld(const shape::Recipe& recipe, const Candidate& candidate, const Stamp& stamp) {
+    constexpr double kDensest = 4;
+    const double alone = stamp.footprint->coveredAlone(candidate.opticalDepth, kCoveringOpticalDepth);
+    return kDensest * candidate.opticalDepth * stamp.widthMeters * stamp.widthMeters *
+           std::max(alone, coveredSquareMeters(recipe, 1));
+  }
+
   /// A narrower heap is less deep, too: it would be a column.
   static double depthAt(const shape::Recipe& recipe, const Candidate& candidate, double share) {
     return recipe.form == shape::Form::Heap && !recipe.sheet ? candidate.depthMeters * std::max(0.3, share)
@@ -127,8 +143,12 @@ class Fitting {
   }
 
   /// Sheets and towers are made narrower only so far, or they would be something else.
-  static double narrowest(const shape::Recipe& recipe) {
-    return recipe.sheet || recipe.form == shape::Form::Tower ? 0.5 : 0;
+  static bool isTooNarrow(const shape::Recipe& recipe, const Candidate& candidate, double share) {
+    constexpr double kSheetAspect = 4, kTowerAspect = 1.2;
+    const double aspect = share * candidate.widthMeters / candidate.depthMeters;
+    if (share >= 0.5) return false;
+    return (recipe.sheet && aspect < kSheetAspect) ||
+           (recipe.form == shape::Form::Tower && aspect < kTowerAspect);
   }
 
   /// How much nearer (below 0) or further the stroke takes the canvas to what is wanted.
@@ -161,7 +181,7 @@ class Fitting {
     std::optional<Stamp> best;
     double least = 0;
     for (const double share : kShares) {
-      if (share < narrowest(context_.options.recipes.of(layer))) break;
+      if (isTooNarrow(context_.options.recipes.of(layer), filling.candidates.list[number], share)) break;
       const Stamp stamp = stampOf(layer, filling.candidates.list[number], share);
       canvas_.brush(stamp, 1, stroke_);
       const double change = changeOfError(stroke_);
@@ -182,6 +202,10 @@ class Fitting {
     return 0;
   }
 
+  bool isFullSheet(const Filling& filling) const {
+    return recipeOf(filling).sheet && layers_[filling.layer].fraction >= kFullCover;
+  }
+
   bool isFull(const Filling& filling) {
     const PaintedLayer& painted = canvas_.layers()[filling.painted];
     const field::Layer& layer = layers_[filling.layer];
@@ -189,8 +213,7 @@ class Fitting {
                taken = static_cast<double>(filling.taken.size());
     // A full sheet has all of its elements, or it would be uneven; a thin one no more than it is owed, or it
     // would be thinner still.
-    if (context_.options.recipes.of(layer).sheet && layer.fraction >= kFullCover && taken < elements)
-      return false;
+    if (isFullSheet(filling) && taken < elements) return false;
     if (isThin(layerClassOf(layer.opticalDepth()))) {
       const bool isOwed = taken < layer.fraction * elements;
       if (!isOwed || !painted.covers) return !isOwed;
@@ -205,7 +228,8 @@ class Fitting {
     wantedOfAll_[filling.cell] = cell.pixels * coverDownTo(filling);
     coveredBefore_ = cell.covered;
     for (auto i = static_cast<std::uint32_t>(filling.candidates.list.size()); i-- > 0;)
-      (canvas_.coveredByOthers(filling.candidates.list[i].scenePlace, painted) ? filling.shaded : filling.open)
+      (canvas_.coveredByOthers(filling.candidates.list[i].scenePlace, painted) ? filling.shaded
+                                                                               : filling.open)
           .push_back(i);
     addMore(filling);
   }
@@ -246,58 +270,86 @@ class Fitting {
     return next;
   }
 
-  /// Gives clouds back, the last first, or takes more, as the canvas wants.
-  void trim(Filling& filling) {
-    const PaintedLayer& painted = canvas_.layers()[filling.painted];
-    if (canvas_.cells()[filling.cell].pixels == 0) return;
-    coveredBefore_ = canvas_.cells()[filling.cell].covered;
-    int failed = 0;
-    std::size_t i = filling.taken.size();
-    while (i-- > 0 && painted.covered > painted.wantedCover + 0.5 && failed < kPatience) {
-      if (giveBack(filling, i))
-        failed = 0;
-      else
-        ++failed;
-    }
-    if (painted.covered < painted.wantedCover) addMore(filling);
+  /// Draws each cloud wider or narrower with the water that it has, or gives it to the others of its layer,
+  /// whatever takes the canvas nearer to what is wanted.
+  void redraw(Filling& filling) {
+    if (canvas_.cells()[filling.cell].pixels == 0 || isFullSheet(filling) || isMatched(filling)) return;
+    for (std::size_t i = filling.taken.size(); i-- > 0;) redraw(filling, i);
   }
 
-  /// Takes a cloud away, or draws it narrower with the water that it has: what helps more, if anything does.
-  bool giveBack(Filling& filling, std::size_t i) {
-    constexpr double kDensest = 4;
+  void addWhereCoverIsMissing(Filling& filling) {
+    const PaintedLayer& painted = canvas_.layers()[filling.painted];
+    if (canvas_.cells()[filling.cell].pixels == 0 || painted.covered >= painted.wantedCover) return;
+    coveredBefore_ = canvas_.cells()[filling.cell].covered;
+    addMore(filling);
+  }
+
+  /// True where a layer, and all layers of its cell together, cover what they should within a hundredth.
+  bool isMatched(const Filling& filling) const {
+    const PaintedCell& cell = canvas_.cells()[filling.cell];
+    const PaintedLayer& painted = canvas_.layers()[filling.painted];
+    const double near = kNear * cell.pixels;
+    return std::abs(painted.covered - painted.wantedCover) <= near &&
+           std::abs(cell.covered - wantedOfAll_[filling.cell]) <= near;
+  }
+
+  void redraw(Filling& filling, std::size_t i) {
     const Stamp was = filling.taken[i].stamp;
     canvas_.brush(was, -1, stroke_);
     const double change = changeOfError(stroke_);
     canvas_.paint(stroke_);
-    double least = filling.taken.size() > 1 ? std::min(0.0, change) : 0.0;
-    std::optional<Stamp> best;
     const Candidate& candidate = filling.candidates.list[filling.taken[i].candidate];
+    const shape::Recipe& recipe = recipeOf(filling);
+    const auto holdsItsWater = [&](const Stamp& stamp) {
+      return was.extinctionArea <= mostHeld(recipe, candidate, stamp);
+    };
+    double least =
+        holdsItsWater(was) ? -change : std::numeric_limits<double>::max();  // of drawing it as it was
+    Stamp best = was;
     for (const double share : kShares) {
-      if (share == 1) continue;
-      if (share < narrowest(context_.options.recipes.of(layers_[filling.layer]))) break;
-      Stamp narrower = stampOf(layers_[filling.layer], candidate, share);
-      if (!(narrower.widthMeters < 0.99 * was.widthMeters) || narrower.widthMeters < 0.35 * was.widthMeters)
-        continue;
-      // Not so narrow that it would hold many times what its ground should.
-      if (was.extinctionArea > kDensest * narrower.extinctionArea) break;
-      narrower.extinctionArea = was.extinctionArea;
-      canvas_.brush(narrower, 1, stroke_);
-      const double total = change + changeOfError(stroke_);
-      if (total < least) best = narrower, least = total;
+      if (isTooNarrow(recipe, candidate, share)) break;
+      Stamp other = stampOf(layers_[filling.layer], candidate, share);
+      if (std::abs(other.widthMeters / was.widthMeters - 1) < 0.01) continue;
+      if (share < 1 && !holdsItsWater(other)) break;
+      other.extinctionArea = was.extinctionArea;
+      canvas_.brush(other, 1, stroke_);
+      const double here = changeOfError(stroke_);
+      if (here < least) best = other, least = here;
     }
-    const bool remove = !best && filling.taken.size() > 1 && change < 0;
-    const Stamp now = best.value_or(was);
-    if (remove) {
-      filling.taken.erase(filling.taken.begin() + static_cast<std::ptrdiff_t>(i));
-      return true;
-    }
-    canvas_.brush(now, 1, stroke_);
+    if (least > 0 && canBeMissed(filling, i)) return giveAway(filling, i);
+    canvas_.brush(best, 1, stroke_);
     canvas_.paint(stroke_);
-    filling.taken[i].stamp = now;
-    return best.has_value();
+    filling.taken[i].stamp = best;
   }
 
-  /// The clouds of each layer hold what the layer holds.
+  /// True if the others of its layer can hold the water of a cloud, too.
+  bool canBeMissed(const Filling& filling, std::size_t i) const {
+    double water = 0, room = 0;
+    for (std::size_t k = 0; k < filling.taken.size(); ++k) {
+      const Taken& taken = filling.taken[k];
+      water += taken.stamp.extinctionArea;
+      if (k != i) room += mostHeld(recipeOf(filling), filling.candidates.list[taken.candidate], taken.stamp);
+    }
+    return water <= room;
+  }
+
+  /// A cloud that is not on the canvas any more: the others of its layer take its water.
+  void giveAway(Filling& filling, std::size_t i) {
+    const double water = filling.taken[i].stamp.extinctionArea;
+    filling.taken.erase(filling.taken.begin() + static_cast<std::ptrdiff_t>(i));
+    double left = 0;
+    for (const Taken& taken : filling.taken) left += taken.stamp.extinctionArea;
+    for (Taken& taken : filling.taken) {
+      canvas_.brush(taken.stamp, -1, stroke_);
+      canvas_.paint(stroke_);
+      taken.share *= 1 + water / left;
+      taken.stamp.extinctionArea *= 1 + water / left;
+      canvas_.brush(taken.stamp, 1, stroke_);
+      canvas_.paint(stroke_);
+    }
+  }
+
+  /// The clouds of each layer hold what the layer holds; those that stand for many cells keep what they have.
   void shareOutWater() {
     for (Filling& filling : fillings_) {
       double whole = 0;
@@ -306,8 +358,9 @@ class Fitting {
           canvas_.layers()[filling.painted].wantedOpticalDepth * canvas_.pixelSquareMeters();
       if (!(whole > 0) || !(wanted > 0)) continue;
       for (Taken& taken : filling.taken) {
-        taken.stamp.extinctionArea *= wanted / whole;
-        taken.share = taken.stamp.extinctionArea;
+        const bool isNew = taken.share == 0;
+        if (filling.candidates.everyCell || isNew) taken.stamp.extinctionArea *= wanted / whole;
+        taken.share = filling.candidates.everyCell || isNew ? taken.stamp.extinctionArea : taken.share;
       }
     }
     repaint();
@@ -316,8 +369,12 @@ class Fitting {
   /// Moves water between clouds where the canvas shows too much or too little of it: what reaches over
   /// borders. Within bounds, for a thin layer must not give its own away because a thick neighbour leans
   /// over; wider ones where a cloud stands for the layers of many cells.
-  void balanceOpticalDepth() {
-    constexpr double kMost = 1.5, kMostOfMany = 100;
+  void balanceOpticalDepth(int passes) {
+    for (int pass = 0; pass < passes; ++pass) balanceOnce();
+  }
+
+  void balanceOnce() {
+    constexpr double kMost = 3, kMostOfMany = 100;
     const auto& layers = canvas_.layers();
     for (Filling& filling : fillings_)
       for (Taken& taken : filling.taken) {
@@ -332,8 +389,12 @@ class Fitting {
         }
         if (!(whole > 0)) continue;
         const double most = filling.candidates.everyCell ? kMost : kMostOfMany;
-        taken.next =
-            std::clamp(taken.stamp.extinctionArea * wanted / whole, taken.share / most, taken.share * most);
+        const double held =
+            mostHeld(recipeOf(filling), filling.candidates.list[taken.candidate], taken.stamp);
+        // What is thin would no longer be seen if it gave any away.
+        const bool thin = isThin(layerClassOf(layers_[filling.layer].opticalDepth()));
+        taken.next = std::min(held, std::clamp(taken.stamp.extinctionArea * wanted / whole,
+                                               thin ? taken.share : taken.share / most, taken.share * most));
       }
     for (Filling& filling : fillings_)
       for (Taken& taken : filling.taken)

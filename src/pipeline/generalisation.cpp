@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <tuple>
 
@@ -72,23 +73,24 @@ namespace {
 int leastPuffs(const shape::Recipe& recipe) {
   switch (recipe.form) {
     case shape::Form::Heap:
-    case shape::Form::Veil:
       return 9;
+    case shape::Form::Veil:
+      return 4;
     case shape::Form::Tower:
       return 24;
     case shape::Form::Cells:
     case shape::Form::Filaments:
       break;
   }
-  return 12;
+  return 9;
 }
 
 /// Clouds twice as wide as natural are told by six tenths of the puffs: half of what a budget lacks is saved
 /// on either; narrower elements take fewer, too.
-int puffsAt(const shape::Recipe& recipe, double enlargement) {
+int puffsAt(const shape::Recipe& recipe, double enlargement, double detail) {
   const int fewest = fewestPuffs(recipe);
   return std::max(std::min(fewest, leastPuffs(recipe)),
-                  static_cast<int>(fewest * std::pow(enlargement, enlargement > 1 ? -0.7 : 1.0)));
+                  static_cast<int>(detail * fewest * std::pow(enlargement, enlargement > 1 ? -0.7 : 1.0)));
 }
 
 /// What the clouds of a layer cover one by one: clouds by chance overlap, the more the higher the cover.
@@ -125,7 +127,7 @@ double puffsOf(Generalisation& general, const Demand& demand, const RecipeBook& 
   for (const base::Genus genus : base::allGenera()) {
     const auto g = static_cast<std::size_t>(genus);
     const double ratio = covered[g] > 0 ? std::exp(enlargement[g] / covered[g]) : 1;
-    general.puffsPerCloud[g] = puffsAt(recipes.of(genus), ratio);
+    general.puffsPerCloud[g] = puffsAt(recipes.of(genus), ratio, general.detail);
     puffs += general.puffsPerCloud[g] * demand.counted[g];
   }
   for (const Share& share : demand.shares)
@@ -175,6 +177,15 @@ void measureClouds(const Generalisation& general, Demand& demand, const Options&
   }
 }
 
+/// The least of low..high, by geometric halving, from which on `enough` holds; it holds at high.
+double bisected(double low, double high, const std::function<bool(double)>& enough) {
+  for (int i = 0; i < 30; ++i) {
+    const double middle = std::sqrt(low * high);
+    (enough(middle) ? high : low) = middle;
+  }
+  return high;
+}
+
 }  // namespace
 
 double enlargementOf(const Generalisation& general, std::span<const field::Layer> layers,
@@ -190,7 +201,7 @@ double enlargementOf(const Generalisation& general, std::span<const field::Layer
 }
 
 Generalisation generalise(const field::Grid& grid, std::span<const field::Layer> layers,
-                          const Options& options, const base::GeoBox& box) {
+                          const Options& options, const base::GeoBox& box, double maxPuffs) {
   Generalisation out;
   Demand demand;
   double boxArea = 0, cellArea = 0;
@@ -209,32 +220,39 @@ Generalisation generalise(const field::Grid& grid, std::span<const field::Layer>
                                coveredOneByOne(layer, recipe, layer.fraction * share * area),
                                layer.opticalDepth()});
   }
-  constexpr double kElementsAcross = 6;
-  out.elementMeters = std::sqrt(cellArea) / kElementsAcross;
+  constexpr double kElementsAcross = 6, kResolving = 0.6;
+  const double cellMeters = std::sqrt(cellArea);
+  out.elementMeters = cellMeters / kElementsAcross;
   out.widestMeters = std::max(100.0, std::sqrt(boxArea) / 8);
-  const auto maxPuffs = static_cast<double>(options.maxPuffs);
-  const auto puffs = [&](double narrowest) {
-    out.narrowestMeters = narrowest;
+  const auto puffsAs = [&](double narrowestMeters, double detail) {
+    out.narrowestMeters = narrowestMeters, out.detail = detail;
     return puffsOf(out, demand, options.recipes);
   };
-  const auto leastNarrowest = [&] {
-    if (puffs(0) <= maxPuffs) return 0.0;
-    double tooNarrow = 10, enough = out.widestMeters;
-    // Where clouds as wide as they may be still take more than the budget, they need not be wider than that
-    // takes.
-    const double budget = std::max(maxPuffs, 1.001 * puffs(enough));
-    for (int i = 0; i < 40; ++i) {
-      const double middle = std::sqrt(tooNarrow * enough);
-      (puffs(middle) > budget ? tooNarrow : enough) = middle;
+  // Clouds are made wider and simpler together as far as they still tell one cell from the next; then simpler
+  // alone; and wider than cells only when they are as simple as they may be.
+  const auto spend = [&] {
+    const double resolving = std::min(kResolving * cellMeters, out.widestMeters);
+    if (puffsAs(0, 1) <= maxPuffs) return;
+    if (puffsAs(resolving, 1) <= maxPuffs) {
+      puffsAs(bisected(10, resolving, [&](double width) { return puffsAs(width, 1) <= maxPuffs; }), 1);
+    } else if (puffsAs(resolving, 0) <= maxPuffs) {
+      puffsAs(resolving,
+              1 - bisected(1e-3, 1, [&](double lost) { return puffsAs(resolving, 1 - lost) <= maxPuffs; }));
+    } else {
+      // Where clouds as wide as they may be still take more than the budget, they need not be wider than that
+      // takes.
+      const double budget = std::max(maxPuffs, 1.001 * puffsAs(out.widestMeters, 0));
+      puffsAs(
+          bisected(resolving, out.widestMeters, [&](double width) { return puffsAs(width, 0) <= budget; }),
+          0);
     }
-    return enough;
   };
-  double enough = leastNarrowest();
-  puffs(enough);
+  spend();
   measureClouds(out, demand, options);
-  enough = leastNarrowest();
+  spend();
   // What the budget leaves over makes clouds richer.
-  const double richness = std::clamp(maxPuffs / std::max(puffs(enough), 1.0), 1.0, 400.0);
+  const double richness =
+      std::clamp(maxPuffs / std::max(puffsAs(out.narrowestMeters, out.detail), 1.0), 1.0, 400.0);
   for (int& count : out.puffsPerCloud) count = static_cast<int>(count * richness);
   return out;
 }

@@ -15,6 +15,7 @@ namespace cloudgen::pipeline {
 struct Generalisation {
   double narrowestMeters = 0;  ///< of clouds that cover all of their cell: the least that the budget can show
   double widestMeters = 1e9;   ///< that narrowestMeters may be: an eighth of the box
+  double detail = 1;  ///< puffs of a cloud, as a share of what its width asks for; 0 as few as may be
   /// Sheets are made of elements no wider than that, so that they can tell the cover of a cell.
   double elementMeters = 1e9;
   std::array<int, base::kGenusCount> puffsPerCloud;  ///< one level of detail a genus
@@ -44,9 +45,9 @@ double enlargementOf(const Generalisation& general, std::span<const field::Layer
                      const Options& options);
 
 /// Enlargement and level of detail such that all clouds of the layers inside the box take about `maxPuffs`:
-/// wider clouds are told by fewer puffs.
-/// Clouds that the source counts are never enlarged: they stay as many.
+/// wider clouds are told by fewer puffs, and by as few as may be before they are wider than the model's
+/// cells. Clouds that the source counts are never enlarged: they stay as many.
 Generalisation generalise(const field::Grid& grid, std::span<const field::Layer> layers,
-                          const Options& options, const base::GeoBox& box);
+                          const Options& options, const base::GeoBox& box, double maxPuffs);
 
 }  // namespace cloudgen::pipeline

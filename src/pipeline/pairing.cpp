@@ -16,9 +16,7 @@ constexpr float kWithinMeters = 1000;
 constexpr float kLeastCover = 0.005f;
 
 /// Clear air between two layers, m; negative where they overlap.
-float gapBetween(const Layer& a, const Layer& b) {
-  return -field::overlapMeters(a, b);
-}
+float gapBetween(const Layer& a, const Layer& b) { return -field::overlapMeters(a, b); }
 
 float middle(const Layer& layer) { return 0.5f * (layer.baseMeters + layer.topMeters); }
 

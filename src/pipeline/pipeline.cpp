@@ -69,7 +69,6 @@ Outcome run(const field::Source& source, const Options& options, const base::Pro
   const bool typingFiner = overlay.standOnTyping();
   const field::Grid& grid = typingFiner ? typing->grid() : source.grid();
   Origin origin = locateOrigin(source, grid, options);
-  const base::GeoBox& box = origin.frame.box();
   Outcome outcome{scene::Scene{origin.frame}};
   outcome.columns = origin.cells.size();
 
@@ -85,8 +84,7 @@ Outcome run(const field::Source& source, const Options& options, const base::Pro
   outcome.isccp = isccpConfusion(table.layers);
 
   progress.step("quantity", 0.25);
-  Generalisation general = generalise(grid, table.layers, options, box);
-  placeWithinBudget(grid, origin.frame, origin.cells, options, general, table);
+  const Generalisation general = placeWithinBudget(grid, origin.frame, origin.cells, options, table);
   outcome.enlargement = enlargementOf(general, table.layers, options);
   standOnTerrain(origin.ground, origin.frame, table);
 

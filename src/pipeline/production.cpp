@@ -12,12 +12,9 @@
 #include "light/shade.hpp"
 #include "pipeline/archetype.hpp"
 #include "shape/generate.hpp"
-#include "shape/reduce.hpp"
 
 namespace cloudgen::pipeline {
 namespace {
-
-constexpr int kFarPuffs = 6;
 
 scene::Archetype makeArchetype(const ArchetypeKey& key, const Options& options,
                                const Generalisation& general) {
@@ -31,7 +28,7 @@ scene::Archetype makeArchetype(const ArchetypeKey& key, const Options& options,
   archetype.widthMeters = static_cast<float>(shape.widthMeters);
   archetype.depthMeters = static_cast<float>(shape.depthMeters);
   archetype.opticalDepth = static_cast<float>(shape.opticalDepth);
-  archetype.farPuffs = shape::reduce(archetype.puffs, kFarPuffs);
+  archetype.farPuffs = farPuffsOf(archetype.puffs, shape.widthMeters, shape.opticalDepth);
   return archetype;
 }
 

@@ -71,25 +71,24 @@ double puffsDrawn(const field::CloudTable& table, const Options& options, const 
   return puffs;
 }
 
-void placeWithinBudget(const field::Grid& grid, const base::LocalFrame& frame,
-                       std::span<const std::uint32_t> cells, const Options& options, Generalisation& general,
-                       field::CloudTable& table) {
+Generalisation placeWithinBudget(const field::Grid& grid, const base::LocalFrame& frame,
+                                 std::span<const std::uint32_t> cells, const Options& options,
+                                 field::CloudTable& table) {
   constexpr int kAttempts = 5;
   constexpr double kTooFew = 0.6, kTooMany = 1.25;
+  const auto maxPuffs = static_cast<double>(options.maxPuffs);
+  double budget = maxPuffs;
   for (int attempt = 1;; ++attempt) {
+    const Generalisation general = generalise(grid, table.layers, options, frame.box(), budget);
     table.clouds.clear();
     placeClouds(grid, frame, cells, options, general, table);
-    const double share = puffsDrawn(table, options, general) / static_cast<double>(options.maxPuffs);
-    const bool asNatural = general.narrowestMeters <= 0;
+    const double share = puffsDrawn(table, options, general) / maxPuffs;
+    const bool asNatural = general.narrowestMeters <= 0 && general.detail >= 1,
+               asSimple = general.narrowestMeters >= general.widestMeters && general.detail <= 0;
     if (attempt == kAttempts || table.clouds.empty() ||
-        (share <= kTooMany && (share >= kTooFew || asNatural)))
-      return;
-    if (share > kTooMany && general.narrowestMeters >= general.widestMeters) return;
-    double width = 0;
-    for (const field::Cloud& cloud : table.clouds)
-      width += cloud.widthMeters / static_cast<double>(table.clouds.size());
-    general.narrowestMeters = std::min(general.widestMeters, (asNatural ? width : general.narrowestMeters) *
-                                                                 std::clamp(std::sqrt(share), 0.3, 4.0));
+        (share <= kTooMany && (share >= kTooFew || asNatural)) || (share > kTooMany && asSimple))
+      return general;
+    budget *= std::clamp(1 / share, 0.1, 10.0);
   }
 }
 

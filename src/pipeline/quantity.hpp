@@ -17,11 +17,10 @@ void placeClouds(const field::Grid& grid, const base::LocalFrame& frame, std::sp
                  const Options& options, const Generalisation& general, field::CloudTable& table);
 
 /// The same within the budget of the options: what a generalisation draws is known when its clouds stand.
-/// Where it is off by more than a quarter they are placed again, wider or narrower. Changes the
-/// generalisation.
-void placeWithinBudget(const field::Grid& grid, const base::LocalFrame& frame,
-                       std::span<const std::uint32_t> cells, const Options& options, Generalisation& general,
-                       field::CloudTable& table);
+/// Where it is off by more than a quarter they are placed again under another one. Returns the last.
+Generalisation placeWithinBudget(const field::Grid& grid, const base::LocalFrame& frame,
+                                 std::span<const std::uint32_t> cells, const Options& options,
+                                 field::CloudTable& table);
 
 /// Puffs that are drawn of the clouds of a table, all of them in full.
 double puffsDrawn(const field::CloudTable& table, const Options& options, const Generalisation& general);

@@ -9,12 +9,16 @@
 namespace cloudgen::shape {
 namespace {
 
+constexpr double kFlatTower = 0.28;
+
 RawShape texturedShape(const Recipe& recipe, const ShapeRequest& request) {
   switch (recipe.form) {
     case Form::Heap:
       return shapeHeap(recipe, request);
     case Form::Tower:
-      return shapeTower(recipe, request);
+      // So wide for its depth that it stands for many towers under one shield: heaps side by side.
+      return request.depthMeters < kFlatTower * request.widthMeters ? shapeHeap(recipe, request)
+                                                                    : shapeTower(recipe, request);
     case Form::Cells:
       return shapeCells(recipe, request);
     case Form::Veil:

@@ -15,14 +15,16 @@ struct MadeTable {
   MadeTable(const MadeSource& source, const pipeline::Options& options, std::vector<field::Layer> layers) {
     const base::GeoBox box = options.box.value_or(field::extent(source.grid()));
     table.layers = std::move(layers);
-    general = pipeline::generalise(source.grid(), table.layers, options, box);
-    finish(source, options, box);
+    const std::vector<std::uint32_t> cells = field::cellsTouching(source.grid(), box);
+    general = pipeline::placeWithinBudget(source.grid(), base::LocalFrame(box), cells, options, table);
   }
   /// With a generalisation that was decided before.
   MadeTable(const MadeSource& source, const pipeline::Options& options, const pipeline::Generalisation& given)
       : general(given) {
+    const base::GeoBox box = options.box.value_or(field::extent(source.grid()));
     table.layers = layersOf(source);
-    finish(source, options, options.box.value_or(field::extent(source.grid())));
+    const std::vector<std::uint32_t> cells = field::cellsTouching(source.grid(), box);
+    pipeline::placeClouds(source.grid(), base::LocalFrame(box), cells, options, general, table);
   }
 
   static std::vector<field::Layer> layersOf(const MadeSource& source) {
@@ -31,12 +33,6 @@ struct MadeTable {
 
   pipeline::Generalisation general;
   field::CloudTable table;
-
- private:
-  void finish(const MadeSource& source, const pipeline::Options& options, const base::GeoBox& box) {
-    const std::vector<std::uint32_t> cells = field::cellsTouching(source.grid(), box);
-    pipeline::placeWithinBudget(source.grid(), base::LocalFrame(box), cells, options, general, table);
-  }
 };
 
 }  // namespace cloudgen::test

@@ -19,7 +19,7 @@ constexpr std::size_t kMostClusters = 24;  ///< parts of a cloud seen from near
 constexpr float kNearSizes = 6;      ///< a cloud is drawn in full up to this many times its own size away
 constexpr double kLiveClouds = 120;  ///< clouds that are drawn one by one around the viewer, about
 constexpr double kFullClouds = 30;   ///< clouds that are drawn in full around the viewer, about
-constexpr float kDensest = 10;       ///< optical depth that an opacity can still tell
+constexpr float kDensest = 5;        ///< optical depth that an opacity of three decimals can still tell
 constexpr std::size_t kFarPuffs = 24000;  ///< puffs in the far shapes of all tiles together, about
 
 /// view3dscene 4.2 refuses the field `level` of VRML97's LOD, and the standard any other name for it: VRML97
@@ -270,9 +270,23 @@ class CloudWalk {
                      lowest, highest));
   }
 
+  /// A flat puff would be one level quad, without base and top: two halves of it, as far apart as a uniform
+  /// layer of its depth begins and ends. One that is not flat stays as it is.
+  static std::vector<shape::Puff> topAndBottom(const shape::Puff& puff) {
+    constexpr float kFlat = 0.5f, kAway = 1.5f, kThinner = 0.2f;
+    if (puff.sigma.y > kFlat * std::min(puff.sigma.x, puff.sigma.z)) return {puff};
+    std::vector<shape::Puff> halves(2, puff);
+    for (std::size_t i = 0; i < 2; ++i) {
+      halves[i].center += puff.rotation * glm::vec3(0, (i == 0 ? -kAway : kAway) * puff.sigma.y, 0);
+      halves[i].sigma.y *= kThinner;
+      halves[i].extinctionPerMeter *= 0.5f / kThinner;
+    }
+    return halves;
+  }
+
   /// Clouds as crossed cards, one Shape a genus, in the scene frame.
   void cards(std::span<const std::uint32_t> instances) {
-    const bool inParts = 8 * scene_.instances.size() <= kFarPuffs;
+    const bool inParts = 6 * scene_.instances.size() <= kFarPuffs;
     std::map<base::Genus, std::vector<LitPuff>> puffs;
     for (const std::uint32_t i : instances) {
       const scene::Instance& instance = scene_.instances[i];
@@ -289,8 +303,9 @@ class CloudWalk {
       if (!inParts || !far) placed = {merged(placed)};
       auto& all = puffs[archetype.genus];
       for (const LitPuff& whole : placed)
-        for (const shape::Puff& part : shape::divided(std::span(&whole.puff, 1), kDensest))
-          all.push_back({part, whole.color});
+        for (const shape::Puff& side : topAndBottom(whole.puff))
+          for (const shape::Puff& part : shape::divided(std::span(&side, 1), kDensest))
+            all.push_back({part, whole.color});
     }
     for (const auto& [genus, all] : puffs)
       shapes_.write(genus, crossedQuads(all, glm::vec3(0), shapes_.atlas(genus)));
