@@ -9,6 +9,7 @@
 
 #include "base/thread.hpp"
 #include "light/extinction_grid.hpp"
+#include "light/optics.hpp"
 #include "light/shade.hpp"
 #include "pipeline/archetype.hpp"
 #include "shape/generate.hpp"
@@ -42,6 +43,13 @@ float shadingOf(base::Genus genus) {
   return 1.0f;
 }
 
+/// Ice scatters less sharply forward than droplets do.
+float asymmetryOf(base::Genus genus) {
+  using base::Genus;
+  const bool ice = genus == Genus::Cirrus || genus == Genus::Cirrocumulus || genus == Genus::Cirrostratus;
+  return ice ? light::kIceAsymmetry : light::kWaterAsymmetry;
+}
+
 /// The puffs as the light meets them: an element of a sheet stands among others that overlap it.
 std::vector<shape::Puff> amongNeighbours(const scene::Archetype& archetype, const shape::Recipe& recipe) {
   std::vector<shape::Puff> puffs = archetype.puffs;
@@ -58,13 +66,13 @@ light::ExtinctionGrid gridOf(const scene::Archetype& archetype, const shape::Rec
 }
 
 scene::LitArchetype lightArchetype(std::uint32_t index, int yawStep, const scene::Archetype& archetype,
-                                   const light::ExtinctionGrid& grid, const Origin& origin) {
+                                   std::span<const light::PuffTransfer> transfers, const Origin& origin) {
   const glm::quat turnBack = glm::angleAxis(-scene::yawRadians(yawStep), glm::vec3(0, 1, 0));
   const light::Lighting lighting{turnBack * origin.sun.direction, origin.sun.color, origin.sky};
   scene::LitArchetype lit;
   lit.archetype = index;
   lit.yawStep = yawStep;
-  lit.puffs = light::shadePuffs(archetype.puffs, grid, lighting, shadingOf(archetype.genus));
+  lit.puffs = light::shadePuffs(archetype.puffs, transfers, lighting, shadingOf(archetype.genus));
   lit.farPuffs = light::averageLight(archetype.puffs, lit.puffs, archetype.farPuffs);
   return lit;
 }
@@ -120,8 +128,9 @@ scene::Scene produce(const field::CloudTable& table, const Origin& origin, const
     const scene::Archetype& archetype = scene.archetypes[a];
     const light::ExtinctionGrid grid =
         gridOf(archetype, options.recipes.of(archetype.genus, isThin(keys[a].layerClass)));
+    const auto transfers = light::bakeTransfer(archetype.puffs, grid, asymmetryOf(archetype.genus));
     for (const std::uint32_t i : litsOf[a])
-      scene.lit[i] = lightArchetype(lits[i].first, lits[i].second, archetype, grid, origin);
+      scene.lit[i] = lightArchetype(lits[i].first, lits[i].second, archetype, transfers, origin);
   });
   progress.step("production: light", 1);
 
