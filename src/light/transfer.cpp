@@ -18,11 +18,12 @@ constexpr int kPairs = 24;
 constexpr float kSkin = 1.2f, kSeenDepth = 0.6f;
 /// Diffuse light takes a longer way through a slab than the straight one; with the cosine-weighted mean over
 /// a hemisphere, this factor of the depths brings a slab back to the two-stream solution.
-constexpr float kDiffusivity = 0.66f;
+constexpr float kDiffusivity = 0.69f;
 /// How much of what comes to a skin has lost its direction. All of these are set by the path tracer of the
 /// tests: spheres, slabs and heaps.
-constexpr float kSpread = 0.75f;
-/// Thinning of the depths by which a puff knows where outside is.
+constexpr float kSpread = 0.9f;
+/// Thinning of the depths for what goes on nearly straight (most of a forward peak), by which a puff also
+/// knows where outside is.
 constexpr float kClear = 0.5f;
 
 /// Standard deviation of a puff along a direction of the cloud.
@@ -86,6 +87,7 @@ const Lattice& lattice() {
 struct Place {
   std::vector<float> direct;        ///< transmitted by all orders to the skin, on straight ways
   std::vector<float> skin, middle;  ///< and on the longer ways of diffuse light
+  std::vector<float> clear;         ///< what of the beam comes straight to the skin
   glm::vec3 normal{0};              ///< mean direction to the outside, of length 1 on a flat skin
 };
 
@@ -101,6 +103,7 @@ std::vector<Place> placesOf(std::span<const shape::Puff> puffs, DepthSweep& swee
       places[p].skin.push_back(transmitted(kDiffusivity * reduction * depths.skin[p]));
       places[p].middle.push_back(transmitted(kDiffusivity * reduction * depths.middle[p]));
       const float clear = std::exp(-kClear * depths.skin[p]);
+      places[p].clear.push_back(clear);
       places[p].normal += clear * direction;
       open[p] += clear;
       transfers[p].visibility += std::exp(-depths.skin[p]) / static_cast<float>(directions.size());
@@ -130,7 +133,7 @@ SunAnswer answer(const Place& place, const glm::vec3& direction, float before, f
               away = 0.25f + strength * (facing(-cosine) - 0.25f);
   // Depths in a row add up: 2 / transmitted = 2 + tau'.
   const float through = 1.0f / (1.0f / before + 1.0f / behind - 1.0f);
-  return {towards * (before - through) + away * before, direct};
+  return {towards * (before - through) + away * before, clear};
 }
 
 }  // namespace
@@ -151,7 +154,7 @@ std::vector<PuffTransfer> bakeTransfer(std::span<const shape::Puff> puffs, const
       const float before =
           kSpread * about(even.shares[j], places[p].skin) + (1 - kSpread) * places[p].direct[j];
       const SunAnswer one = answer(places[p], even.directions[j], before,
-                                   about(even.shares[opposite], places[p].middle), places[p].direct[j]);
+                                   about(even.shares[opposite], places[p].middle), places[p].clear[j]);
       sun[j] = one.sun;
       through[j] = one.through;
       (even.directions[j].y > 0 ? transfer.sky : transfer.ground) += one.sun;
@@ -181,7 +184,8 @@ std::vector<SunAnswer> bakeSun(std::span<const shape::Puff> puffs, const Extinct
   for (std::size_t p = 0; p < puffs.size(); ++p) {
     const float direct = transmitted(reduction * depths.skin[p]);
     const float before = kSpread * about(front, places[p].skin) + (1 - kSpread) * direct;
-    answers.push_back(answer(places[p], sunDirection, before, about(back, places[p].middle), direct));
+    answers.push_back(answer(places[p], sunDirection, before, about(back, places[p].middle),
+                             std::exp(-kClear * depths.skin[p])));
   }
   return answers;
 }

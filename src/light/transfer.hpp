@@ -15,7 +15,7 @@ namespace cloudgen::light {
 /// squarely. Baked once for a cloud; a sun or a heading then costs a dot product.
 struct PuffTransfer {
   Harmonics sun{};       ///< all orders of scattering, of the direction towards the sun
-  Harmonics through{};   ///< direct beam to the skin (exp of minus its depth, thinned as the forward peak is)
+  Harmonics through{};   ///< what of the beam comes nearly straight to the skin
   float sky = 0;         ///< under an even sky of radiance 1 above the horizon
   float ground = 0;      ///< over ground of radiance 1; sky + ground is 1 for what does not absorb
   float visibility = 0;  ///< mean transmittance to the outside, 0 for what is hidden all around

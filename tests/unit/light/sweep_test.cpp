@@ -15,7 +15,7 @@ std::vector<shape::Puff> randomPuffs() {
   std::vector<shape::Puff> puffs(150);
   for (shape::Puff& puff : puffs) {
     puff.center = {random.uniform(-600, 600), random.uniform(0, 900), random.uniform(-500, 500)};
-    puff.sigma = glm::vec3(random.uniform(120, 220), random.uniform(100, 160), random.uniform(120, 220));
+    puff.sigma = glm::vec3(random.uniform(140, 240), random.uniform(120, 180), random.uniform(140, 240));
     puff.extinctionPerMeter = 0.01f;
   }
   return puffs;
@@ -55,7 +55,7 @@ TEST(Sweep, DepthsAreThoseOfARayForEveryCell) {
         glm::vec3(1, 1, 1), glm::vec3(-1, 0.02f, -1), glm::vec3(0, 0, -1)}) {
     const Difference found = againstMarching(grid, glm::normalize(towards));
     EXPECT_LT(found.relative, 0.02) << towards.x << ' ' << towards.y << ' ' << towards.z;
-    EXPECT_LT(found.worstTransmittance, 0.05) << towards.x << ' ' << towards.y << ' ' << towards.z;
+    EXPECT_LT(found.worstTransmittance, 0.06) << towards.x << ' ' << towards.y << ' ' << towards.z;
   }
 }
 
