@@ -19,9 +19,12 @@ constexpr float kHidden = 2e-5f, kSeen = 1e-3f;
 
 float luminance(const glm::vec3& color) { return glm::dot(color, glm::vec3(0.2126f, 0.7152f, 0.0722f)); }
 
-/// Highlights above 0.62 are rolled off towards 1, so that relief on the sunlit side stays visible.
-glm::vec3 shoulder(glm::vec3 color) {
-  constexpr float kKnee = 0.62f, kRoom = 1.0f - kKnee;
+/// A photograph's contrast: darks go darker about white, and highlights above 0.8 are rolled off towards 1,
+/// so that relief on the sunlit side stays visible.
+glm::vec3 developed(glm::vec3 color) {
+  constexpr float kContrast = 1.45f, kKnee = 0.8f, kRoom = 1.08f - kKnee;
+  const float light = luminance(color);
+  if (light > 0) color *= std::pow(light, kContrast - 1.0f);
   for (int c = 0; c < 3; ++c)
     if (color[c] > kKnee) color[c] = kKnee + kRoom * (1.0f - std::exp(-(color[c] - kKnee) / kRoom));
   return color;
@@ -57,7 +60,7 @@ std::vector<PuffLight> shadePuffs(std::span<const shape::Puff> puffs, std::span<
   const float bright = std::max(brightAnswer(puffs, transfers), 1e-4f);
   // As a photographer exposes: a bright face comes out just white, whatever the hour and the cloud.
   const glm::vec3 brightest = kSun * lighting.sunColor + kSky * lighting.sky.ambient;
-  const float exposure = 1.08f / luminance(brightest);
+  const float exposure = 1.05f / luminance(brightest);
   const Harmonics harmonics = harmonicsOf(lighting.sunDirection);
 
   std::vector<PuffLight> lights;
@@ -70,7 +73,7 @@ std::vector<PuffLight> shadePuffs(std::span<const shape::Puff> puffs, std::span<
                                kSky * lighting.sky.ambient * glm::mix(1.0f, transfer.sky, shading) +
                                kGround * lighting.sky.bounce * glm::mix(0.5f, transfer.ground, shading);
     const float forward = 0.24f * std::clamp(dot(transfer.through, harmonics), 0.0f, 1.0f);
-    lights.push_back({shoulder(exposure * radiance), forward});
+    lights.push_back({developed(exposure * radiance), forward});
     const float area = seenArea(puffs[i], transfer);
     tone += area * lights.back().color;
     areas += area;

@@ -125,7 +125,7 @@ float about(const std::vector<float>& shares, const std::vector<float>& values) 
 }
 
 /// A skin that faces the sun shows what comes back, one that faces away what comes through.
-SunAnswer answer(const Place& place, const glm::vec3& direction, float before, float behind, float direct) {
+SunAnswer answer(const Place& place, const glm::vec3& direction, float before, float behind, float clear) {
   const float strength = glm::length(place.normal);
   const glm::vec3 normal = place.normal / (strength + 1e-12f);
   const float cosine = glm::dot(normal, direction);
