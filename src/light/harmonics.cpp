@@ -71,14 +71,19 @@ Harmonics HarmonicFit::operator()(std::span<const float> samples) const {
   return sum;
 }
 
-std::vector<glm::vec3> opposedDirections(int pairs) {
+std::vector<glm::vec3> opposedDirections(int rings) {
   std::vector<glm::vec3> directions;
-  const double golden = std::numbers::pi * (3 - std::sqrt(5.0));
-  for (int i = 0; i < pairs; ++i) {
-    const double y = (i + 0.5) / pairs, r = std::sqrt(1 - y * y), angle = golden * i;
-    directions.emplace_back(r * std::cos(angle), y, r * std::sin(angle));
+  const int half = 2 * rings * (rings + 1);
+  for (int ring = 0, before = 0; ring < rings; ++ring) {
+    const int count = 4 * (ring + 1);
+    const double y = 1.0 - (before + 0.5 * count) / half, r = std::sqrt(1 - y * y);
+    for (int k = 0; k < count; ++k) {
+      const double angle = 2 * std::numbers::pi * (k + 0.5) / count;
+      directions.emplace_back(r * std::cos(angle), y, r * std::sin(angle));
+    }
+    before += count;
   }
-  for (int i = 0; i < pairs; ++i) directions.push_back(-directions[static_cast<std::size_t>(i)]);
+  for (int i = 0; i < half; ++i) directions.push_back(-directions[static_cast<std::size_t>(i)]);
   return directions;
 }
 

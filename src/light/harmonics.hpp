@@ -30,8 +30,8 @@ class HarmonicFit {
   std::vector<Harmonics> columns_;  ///< what one sample adds to each coefficient
 };
 
-/// `pairs` directions spread evenly over half the sphere (a spherical Fibonacci lattice), then their
-/// opposites in the same order.
-std::vector<glm::vec3> opposedDirections(int pairs);
+/// Directions over the upper half of the sphere on rings of 4, 8, 12, ... of equal share each, symmetric
+/// about the axes, then their opposites in the same order: 4 rings (rings + 1) together.
+std::vector<glm::vec3> opposedDirections(int rings);
 
 }  // namespace cloudgen::light

@@ -22,7 +22,7 @@ float luminance(const glm::vec3& color) { return glm::dot(color, glm::vec3(0.212
 /// A photograph's contrast: darks go darker about white, and highlights above 0.8 are rolled off towards 1,
 /// so that relief on the sunlit side stays visible.
 glm::vec3 developed(glm::vec3 color) {
-  constexpr float kContrast = 1.45f, kKnee = 0.8f, kRoom = 1.08f - kKnee;
+  constexpr float kContrast = 1.75f, kKnee = 0.8f, kRoom = 1.08f - kKnee;
   const float light = luminance(color);
   if (light > 0) color *= std::pow(light, kContrast - 1.0f);
   for (int c = 0; c < 3; ++c)
@@ -30,45 +30,21 @@ glm::vec3 developed(glm::vec3 color) {
   return color;
 }
 
-/// What weighs in the tone of a cloud: area, as far as it is seen.
-float seenArea(const shape::Puff& puff, const PuffTransfer& transfer) {
-  return puff.sigma.x * puff.sigma.z * transfer.visibility * transfer.visibility;
-}
-
 }  // namespace
 
-float brightAnswer(std::span<const shape::Puff> puffs, std::span<const PuffTransfer> transfers) {
-  // The largest mean over the cloud that any sun of a lattice gets, of the brighter half of what is seen.
-  float brightest = 0;
-  for (const glm::vec3& direction : opposedDirections(12)) {
-    if (direction.y < 0) break;
-    const Harmonics harmonics = harmonicsOf(direction);
-    double sum = 0, squares = 0;
-    for (std::size_t i = 0; i < puffs.size(); ++i) {
-      const double seen = std::max(0.0f, dot(transfers[i].sun, harmonics));
-      const double area = seenArea(puffs[i], transfers[i]);
-      sum += area * seen;
-      squares += area * seen * seen;
-    }
-    if (sum > 0) brightest = std::max(brightest, static_cast<float>(squares / sum));
-  }
-  return brightest;
-}
-
-std::vector<PuffLight> shadePuffs(std::span<const shape::Puff> puffs, std::span<const PuffTransfer> transfers,
+std::vector<PuffLight> shadePuffs(std::span<const shape::Puff> puffs, const CloudTransfer& cloud,
                                   const Lighting& lighting, float shading) {
-  const float bright = std::max(brightAnswer(puffs, transfers), 1e-4f);
   // As a photographer exposes: a bright face comes out just white, whatever the hour and the cloud.
   const glm::vec3 brightest = kSun * lighting.sunColor + kSky * lighting.sky.ambient;
-  const float exposure = 1.05f / luminance(brightest);
+  const float exposure = 1.2f / luminance(brightest);
   const Harmonics harmonics = harmonicsOf(lighting.sunDirection);
 
   std::vector<PuffLight> lights;
   glm::vec3 tone(0);
   float areas = 0;
   for (std::size_t i = 0; i < puffs.size(); ++i) {
-    const PuffTransfer& transfer = transfers[i];
-    const float sun = std::clamp(dot(transfer.sun, harmonics) / bright, 0.0f, 1.25f);
+    const PuffTransfer& transfer = cloud.puffs[i];
+    const float sun = std::clamp(dot(transfer.sun, harmonics) / cloud.bright, 0.0f, 1.15f);
     const glm::vec3 radiance = kSun * lighting.sunColor * glm::mix(0.9f, sun, shading) +
                                kSky * lighting.sky.ambient * glm::mix(1.0f, transfer.sky, shading) +
                                kGround * lighting.sky.bounce * glm::mix(0.5f, transfer.ground, shading);
@@ -82,11 +58,16 @@ std::vector<PuffLight> shadePuffs(std::span<const shape::Puff> puffs, std::span<
   // else show the dark inside of a cloud through its bright skin.
   if (areas > 0)
     for (std::size_t i = 0; i < lights.size(); ++i) {
-      const float share = glm::smoothstep(kHidden, kSeen, transfers[i].visibility);
+      const float share = glm::smoothstep(kHidden, kSeen, cloud.puffs[i].visibility);
       lights[i].color = glm::mix(tone / areas, lights[i].color, share);
       lights[i].forward *= share;
     }
   return lights;
+}
+
+PuffLight inShadow(const PuffLight& light, float sunlight) {
+  // By day about a quarter of what a cloud sends out came from the sky.
+  return {light.color * glm::mix(0.25f, 1.0f, sunlight), light.forward * sunlight};
 }
 
 std::vector<PuffLight> averageLight(std::span<const shape::Puff> puffs, std::span<const PuffLight> lights,

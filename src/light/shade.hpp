@@ -21,12 +21,11 @@ struct Lighting {
 /// a camera exposes that brings the cloud's own bright faces to white. `shading` 0 makes the cloud flat white
 /// (cirrocumulus shows none), 1 is full relief. Puffs hidden on all sides take the mean tone of those that
 /// are seen.
-std::vector<PuffLight> shadePuffs(std::span<const shape::Puff> puffs, std::span<const PuffTransfer> transfers,
+std::vector<PuffLight> shadePuffs(std::span<const shape::Puff> puffs, const CloudTransfer& cloud,
                                   const Lighting& lighting, float shading);
 
-/// How brightly the bright faces of a cloud answer to a high sun: the mean over what is seen, weighted by the
-/// answer itself, under the best of 12 suns.
-float brightAnswer(std::span<const shape::Puff> puffs, std::span<const PuffTransfer> transfers);
+/// The light of a puff of a cloud that gets only a share of the sun, 0..1, the rest of the sky as before.
+PuffLight inShadow(const PuffLight& light, float sunlight);
 
 /// Light of puffs that stand for many (shape::reduce): the mean of the lights about each, by area and by
 /// nearness in its deviations.

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "light/octaves.hpp"
 #include "light/sweep.hpp"
@@ -11,7 +13,7 @@
 namespace cloudgen::light {
 namespace {
 
-constexpr int kPairs = 24;
+constexpr int kRings = 3;
 
 /// What is seen of a puff is its skin: its own body, out to a little over a deviation, does not shade it, nor
 /// do the first 0.6 of optical depth, through which one sees.
@@ -21,7 +23,7 @@ constexpr float kSkin = 1.2f, kSeenDepth = 0.6f;
 constexpr float kDiffusivity = 0.69f;
 /// How much of what comes to a skin has lost its direction. All of these are set by the path tracer of the
 /// tests: spheres, slabs and heaps.
-constexpr float kSpread = 0.9f;
+constexpr float kSpread = 0.93f;
 /// Thinning of the depths for what goes on nearly straight (most of a forward peak), by which a puff also
 /// knows where outside is.
 constexpr float kClear = 0.5f;
@@ -58,7 +60,7 @@ float facing(float cosine) {
 
 /// The lattice of directions, and the share that each has in the diffuse light about each.
 struct Lattice {
-  std::vector<glm::vec3> directions = opposedDirections(kPairs);
+  std::vector<glm::vec3> directions = opposedDirections(kRings);
   HarmonicFit fit{directions};
   std::vector<std::vector<float>> shares;
 
@@ -136,10 +138,35 @@ SunAnswer answer(const Place& place, const glm::vec3& direction, float before, f
   return {towards * (before - through) + away * before, clear};
 }
 
+/// The answer that a quarter of the seen area exceeds, under the best of 12 suns.
+float brightAnswer(std::span<const shape::Puff> puffs, std::span<const PuffTransfer> transfers) {
+  float brightest = 1e-3f;
+  std::vector<std::pair<float, float>> answers(puffs.size());
+  for (const glm::vec3& direction : opposedDirections(2)) {
+    if (direction.y < 0) break;
+    const Harmonics harmonics = harmonicsOf(direction);
+    double left = 0;
+    for (std::size_t i = 0; i < puffs.size(); ++i) {
+      answers[i] = {dot(transfers[i].sun, harmonics), seenArea(puffs[i], transfers[i])};
+      left += 0.25 * answers[i].second;
+    }
+    std::sort(answers.begin(), answers.end(), std::greater<>());
+    for (const auto& [answer, area] : answers)
+      if ((left -= area) <= 0) {
+        brightest = std::max(brightest, answer);
+        break;
+      }
+  }
+  return brightest;
+}
+
 }  // namespace
 
-std::vector<PuffTransfer> bakeTransfer(std::span<const shape::Puff> puffs, const ExtinctionGrid& grid,
-                                       float asymmetry) {
+float seenArea(const shape::Puff& puff, const PuffTransfer& transfer) {
+  return puff.sigma.x * puff.sigma.z * transfer.visibility;
+}
+
+CloudTransfer bakeTransfer(std::span<const shape::Puff> puffs, const ExtinctionGrid& grid, float asymmetry) {
   const Lattice& even = lattice();
   const std::size_t count = even.directions.size();
   DepthSweep sweep(grid);
@@ -150,7 +177,7 @@ std::vector<PuffTransfer> bakeTransfer(std::span<const shape::Puff> puffs, const
     PuffTransfer& transfer = transfers[p];
     float all = 0;
     for (std::size_t j = 0; j < count; ++j) {
-      const std::size_t opposite = (j + kPairs) % count;
+      const std::size_t opposite = (j + count / 2) % count;
       const float before =
           kSpread * about(even.shares[j], places[p].skin) + (1 - kSpread) * places[p].direct[j];
       const SunAnswer one = answer(places[p], even.directions[j], before,
@@ -168,7 +195,8 @@ std::vector<PuffTransfer> bakeTransfer(std::span<const shape::Puff> puffs, const
       transfer.ground /= all;
     }
   }
-  return transfers;
+  const float bright = brightAnswer(puffs, transfers);
+  return {std::move(transfers), bright};
 }
 
 std::vector<SunAnswer> bakeSun(std::span<const shape::Puff> puffs, const ExtinctionGrid& grid,

@@ -21,6 +21,13 @@ struct PuffTransfer {
   float visibility = 0;  ///< mean transmittance to the outside, 0 for what is hidden all around
 };
 
+/// A cloud's puffs, in their order, and how its bright faces answer to a high sun.
+struct CloudTransfer {
+  std::vector<PuffTransfer> puffs;
+  float bright =
+      1;  ///< a quarter of what is seen answers more, under the sun of a lattice that suits it best
+};
+
 /// The same for one direction of the sun, not fitted.
 struct SunAnswer {
   float sun = 0, through = 0;
@@ -29,8 +36,10 @@ struct SunAnswer {
 /// Transfer of each puff inside the medium of `grid`: depths by sweeps in 48 directions, octaves of the
 /// reduced depths (1 - `asymmetry`) tau before and behind the puff, and how squarely its skin faces the
 /// light.
-std::vector<PuffTransfer> bakeTransfer(std::span<const shape::Puff> puffs, const ExtinctionGrid& grid,
-                                       float asymmetry);
+CloudTransfer bakeTransfer(std::span<const shape::Puff> puffs, const ExtinctionGrid& grid, float asymmetry);
+
+/// What weighs in the tone of a cloud: area, as far as it is seen.
+float seenArea(const shape::Puff& puff, const PuffTransfer& transfer);
 
 /// The answers to one direction towards the sun without the fit, by two sweeps.
 std::vector<SunAnswer> bakeSun(std::span<const shape::Puff> puffs, const ExtinctionGrid& grid,

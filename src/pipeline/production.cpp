@@ -11,6 +11,7 @@
 #include "light/extinction_grid.hpp"
 #include "light/optics.hpp"
 #include "light/shade.hpp"
+#include "light/shadow.hpp"
 #include "pipeline/archetype.hpp"
 #include "shape/generate.hpp"
 #include "shape/reduce.hpp"
@@ -66,13 +67,13 @@ light::ExtinctionGrid gridOf(const scene::Archetype& archetype, const shape::Rec
 }
 
 scene::LitArchetype lightArchetype(std::uint32_t index, int yawStep, const scene::Archetype& archetype,
-                                   std::span<const light::PuffTransfer> transfers, const Origin& origin) {
+                                   const light::CloudTransfer& transfer, const Origin& origin) {
   const glm::quat turnBack = glm::angleAxis(-scene::yawRadians(yawStep), glm::vec3(0, 1, 0));
   const light::Lighting lighting{turnBack * origin.sun.direction, origin.sun.color, origin.sky};
   scene::LitArchetype lit;
   lit.archetype = index;
   lit.yawStep = yawStep;
-  lit.puffs = light::shadePuffs(archetype.puffs, transfers, lighting, shadingOf(archetype.genus));
+  lit.puffs = light::shadePuffs(archetype.puffs, transfer, lighting, shadingOf(archetype.genus));
   lit.farPuffs = light::averageLight(archetype.puffs, lit.puffs, archetype.farPuffs);
   return lit;
 }
@@ -128,9 +129,10 @@ scene::Scene produce(const field::CloudTable& table, const Origin& origin, const
     const scene::Archetype& archetype = scene.archetypes[a];
     const light::ExtinctionGrid grid =
         gridOf(archetype, options.recipes.of(archetype.genus, isThin(keys[a].layerClass)));
-    const auto transfers = light::bakeTransfer(archetype.puffs, grid, asymmetryOf(archetype.genus));
+    const light::CloudTransfer transfer =
+        light::bakeTransfer(archetype.puffs, grid, asymmetryOf(archetype.genus));
     for (const std::uint32_t i : litsOf[a])
-      scene.lit[i] = lightArchetype(lits[i].first, lits[i].second, archetype, transfers, origin);
+      scene.lit[i] = lightArchetype(lits[i].first, lits[i].second, archetype, transfer, origin);
   });
   progress.step("production: light", 1);
 
@@ -150,6 +152,14 @@ scene::Scene produce(const field::CloudTable& table, const Origin& origin, const
         static_cast<float>(cloud.opticalDepth * shape::footprintSquareMeters(cloud.widthMeters) /
                            (waterOf[scene.lit[instance.lit].archetype] * instance.scale * instance.scale));
   }
+  std::vector<light::Caster> casters;
+  for (size_t i = 0; i < scene.instances.size(); ++i) {
+    const field::Cloud& cloud = table.clouds[i];
+    casters.push_back({scene.instances[i].position, static_cast<float>(0.5 * cloud.widthMeters),
+                       static_cast<float>(cloud.depthMeters), static_cast<float>(cloud.opticalDepth)});
+  }
+  const std::vector<float> sunlight = light::sunlightOf(casters, origin.sun.direction);
+  for (size_t i = 0; i < sunlight.size(); ++i) scene.instances[i].sunlight = sunlight[i];
   return scene;
 }
 

