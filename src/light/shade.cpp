@@ -14,19 +14,22 @@ namespace {
 /// Sky::ambient of 1.
 constexpr float kSun = 0.92f, kSky = 0.62f, kGround = 0.75f;
 
+/// Three stops more than at noon.
+constexpr float kMostExposure = 9.0f;
+
 /// Puffs behind an optical depth of 9 on the clearest side are hidden, before one of 5 seen.
 constexpr float kHidden = 2e-5f, kSeen = 1e-3f;
 
 float luminance(const glm::vec3& color) { return glm::dot(color, glm::vec3(0.2126f, 0.7152f, 0.0722f)); }
 
-/// A photograph's contrast: darks go darker about white, and highlights above 0.8 are rolled off towards 1,
-/// so that relief on the sunlit side stays visible.
-glm::vec3 developed(glm::vec3 color) {
+/// A photograph's contrast: darks go darker about the tone of a bright face, and highlights above 0.8 are
+/// rolled off towards 1, so that relief on the sunlit side stays visible.
+glm::vec3 developed(glm::vec3 color, float face) {
   constexpr float kContrast = 1.75f, kKnee = 0.8f, kRoom = 1.08f - kKnee;
-  const float light = luminance(color);
-  if (light > 0) color *= std::pow(light, kContrast - 1.0f);
-  for (int c = 0; c < 3; ++c)
-    if (color[c] > kKnee) color[c] = kKnee + kRoom * (1.0f - std::exp(-(color[c] - kKnee) / kRoom));
+  color *= std::pow(luminance(color) / face, kContrast - 1.0f);
+  const float most = std::max({color.r, color.g, color.b});
+  // All channels alike, so that the evening keeps its colour.
+  if (most > kKnee) color *= (kKnee + kRoom * (1.0f - std::exp(-(most - kKnee) / kRoom))) / most;
   return color;
 }
 
@@ -34,9 +37,10 @@ glm::vec3 developed(glm::vec3 color) {
 
 std::vector<PuffLight> shadePuffs(std::span<const shape::Puff> puffs, const CloudTransfer& cloud,
                                   const Lighting& lighting, float shading) {
-  // As a photographer exposes: a bright face comes out just white, whatever the hour and the cloud.
-  const glm::vec3 brightest = kSun * lighting.sunColor + kSky * lighting.sky.ambient;
-  const float exposure = 1.2f / luminance(brightest);
+  // As a photographer exposes: a bright face comes out just white, whatever the hour and the cloud; but night
+  // stays night.
+  const float face = luminance(kSun * lighting.sunColor + kSky * lighting.sky.ambient) + 1e-6f;
+  const float exposure = std::min(1.2f / face, kMostExposure);
   const Harmonics harmonics = harmonicsOf(lighting.sunDirection);
 
   std::vector<PuffLight> lights;
@@ -49,7 +53,7 @@ std::vector<PuffLight> shadePuffs(std::span<const shape::Puff> puffs, const Clou
                                kSky * lighting.sky.ambient * glm::mix(1.0f, transfer.sky, shading) +
                                kGround * lighting.sky.bounce * glm::mix(0.5f, transfer.ground, shading);
     const float forward = 0.24f * std::clamp(dot(transfer.through, harmonics), 0.0f, 1.0f);
-    lights.push_back({developed(exposure * radiance), forward});
+    lights.push_back({developed(exposure * radiance, exposure * face / 1.2f), forward});
     const float area = seenArea(puffs[i], transfer);
     tone += area * lights.back().color;
     areas += area;
