@@ -37,10 +37,13 @@ scene::Archetype makeArchetype(const ArchetypeKey& key, const Options& options,
   return archetype;
 }
 
-/// Cirrocumulus shows no shading at all, cirrus and cirrostratus next to none (WMO atlas).
+/// Cirrocumulus shows no shading at all, cirrus and cirrostratus next to none (WMO atlas). The small elements
+/// of altocumulus and the rolls of stratocumulus light each other, which their archetype does not know.
 float shadingOf(base::Genus genus) {
   if (genus == base::Genus::Cirrocumulus) return 0.05f;
   if (genus == base::Genus::Cirrus || genus == base::Genus::Cirrostratus) return 0.2f;
+  if (genus == base::Genus::Altocumulus) return 0.7f;
+  if (genus == base::Genus::Stratocumulus) return 0.85f;
   return 1.0f;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
 #include "base/random.hpp"
