@@ -5,17 +5,12 @@
 #include <glm/geometric.hpp>
 
 #include "base/random.hpp"
+#include "support/ball.hpp"
 
 namespace cloudgen::light {
 namespace {
 
-shape::Puff ball(const glm::vec3& center, float sigma, float extinction) {
-  shape::Puff puff;
-  puff.center = center;
-  puff.sigma = glm::vec3(sigma);
-  puff.extinctionPerMeter = extinction;
-  return puff;
-}
+using test::ball;
 
 /// The integral of the trilinear field: exact with samples one cell apart.
 double integral(const ExtinctionGrid& grid, const shape::Bounds& around) {

@@ -10,20 +10,15 @@
 #include "light/octaves.hpp"
 #include "light/sweep.hpp"
 #include "light/transfer.hpp"
+#include "support/ball.hpp"
 #include "support/path_tracer.hpp"
 
 namespace cloudgen::light {
 namespace {
 
-constexpr float kAsymmetry = 0.85f;
+using test::ball;
 
-shape::Puff ball(const glm::vec3& center, float sigma, float extinction) {
-  shape::Puff puff;
-  puff.center = center;
-  puff.sigma = glm::vec3(sigma);
-  puff.extinctionPerMeter = extinction;
-  return puff;
-}
+constexpr float kAsymmetry = 0.85f;
 
 /// Fills a body with small even puffs.
 template <class Inside>

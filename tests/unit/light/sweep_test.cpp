@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/random.hpp"
+#include "support/ball.hpp"
 #include "support/ray_march.hpp"
 
 namespace cloudgen::light {
@@ -60,10 +61,7 @@ TEST(Sweep, DepthsAreThoseOfARayForEveryCell) {
 }
 
 TEST(Sweep, GoesThroughABallAsKnown) {
-  shape::Puff puff;
-  puff.center = {50, 60, 70};
-  puff.sigma = glm::vec3(100);
-  puff.extinctionPerMeter = 0.02f;
+  const shape::Puff puff = test::ball({50, 60, 70}, 100, 0.02f);
   const std::vector puffs{puff};
   const ExtinctionGrid grid(puffs, 40);
   DepthSweep sweep(grid);
