@@ -40,7 +40,7 @@ std::vector<PuffLight> shadePuffs(std::span<const shape::Puff> puffs, const Clou
   // As a photographer exposes: a bright face comes out just white, whatever the hour and the cloud; but night
   // stays night.
   const float face = luminance(kSun * lighting.sunColor + kSky * lighting.sky.ambient) + 1e-6f;
-  const float exposure = std::min(1.45f / face, kMostExposure);
+  const float exposure = std::min(1.38f / face, kMostExposure);
   const Harmonics harmonics = harmonicsOf(lighting.sunDirection);
 
   std::vector<PuffLight> lights;
@@ -53,7 +53,7 @@ std::vector<PuffLight> shadePuffs(std::span<const shape::Puff> puffs, const Clou
                                kSky * lighting.sky.ambient * glm::mix(1.0f, transfer.sky, shading) +
                                kGround * lighting.sky.bounce * glm::mix(0.5f, transfer.ground, shading);
     const float forward = 0.24f * std::clamp(dot(transfer.through, harmonics), 0.0f, 1.0f);
-    lights.push_back({developed(exposure * radiance, exposure * face / 1.45f), forward});
+    lights.push_back({developed(exposure * radiance, exposure * face / 1.38f), forward});
     const float area = seenArea(puffs[i], transfer);
     tone += area * lights.back().color;
     areas += area;

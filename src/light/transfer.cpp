@@ -138,7 +138,7 @@ SunAnswer answer(const Place& place, const glm::vec3& direction, float before, f
   return {towards * (before - through) + away * before, clear};
 }
 
-/// The answer that a seventh of the seen area exceeds, under the best of 12 suns.
+/// The answer that a twelfth of the seen area exceeds, under the best of 12 suns.
 float brightAnswer(std::span<const shape::Puff> puffs, std::span<const PuffTransfer> transfers) {
   float brightest = 1e-3f;
   std::vector<std::pair<float, float>> answers(puffs.size());
@@ -148,7 +148,7 @@ float brightAnswer(std::span<const shape::Puff> puffs, std::span<const PuffTrans
     double left = 0;
     for (std::size_t i = 0; i < puffs.size(); ++i) {
       answers[i] = {dot(transfers[i].sun, harmonics), seenArea(puffs[i], transfers[i])};
-      left += 0.15 * answers[i].second;
+      left += 0.08 * answers[i].second;
     }
     std::sort(answers.begin(), answers.end(), std::greater<>());
     for (const auto& [answer, area] : answers)

@@ -60,11 +60,11 @@ TEST(Shade, TheSunlitSideIsBrighter) {
                                   [&](auto& p) { return p.center.x > 400 && inner(p.center.z) && level(p); });
   const float shadow = meanLuminance(
       puffs, lights, [&](auto& p) { return p.center.x < -400 && inner(p.center.z) && level(p); });
-  EXPECT_GT(lit, 1.35f * shadow);
+  EXPECT_GT(lit, 1.2f * shadow);
   const auto noon = shaded(puffs, lightingOf(180, 90));
   const auto middle = [&](const shape::Puff& p) { return inner(p.center.x) && inner(p.center.z); };
   EXPECT_GT(meanLuminance(puffs, noon, [&](auto& p) { return p.center.y > 400 && middle(p); }),
-            1.35f * meanLuminance(puffs, noon, [&](auto& p) { return p.center.y < 100 && middle(p); }));
+            1.2f * meanLuminance(puffs, noon, [&](auto& p) { return p.center.y < 100 && middle(p); }));
 }
 
 TEST(Shade, TheSunFromTheOtherSideMirrors) {
@@ -157,7 +157,7 @@ TEST_P(EveryGenusLit, TopsAreBrightUnderAHighSun) {
     return sweep.at(puff.center + puff.sigma.y * glm::vec3(0, 1, 0)) < 1;
   });
   RecordProperty("top", std::to_string(top));
-  EXPECT_GT(top, 0.55f);
+  EXPECT_GT(top, 0.5f);
 }
 
 // One transfer for every sun: what the harmonics lose of the answers that are baked for one sun.
