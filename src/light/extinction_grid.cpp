@@ -55,19 +55,29 @@ ExtinctionGrid::ExtinctionGrid(std::span<const shape::Puff> puffs, int cellsAlon
   }
 }
 
-float ExtinctionGrid::at(int x, int y, int z) const {
-  if (x < 0 || y < 0 || z < 0 || x >= nx_ || y >= ny_ || z >= nz_) return 0;
-  return values_[(static_cast<size_t>(z) * ny_ + y) * nx_ + x];
-}
-
-float ExtinctionGrid::extinction(const glm::vec3& point) const {
+float ExtinctionGrid::sample(const std::vector<float>& field, const glm::vec3& point) const {
   const glm::vec3 p = (point - lower_) / cell_ - 0.5f;
   const glm::vec3 f = glm::floor(p), t = p - f;
-  const int x = static_cast<int>(f.x), y = static_cast<int>(f.y), z = static_cast<int>(f.z);
-  const auto along = [&](int j, int k) { return glm::mix(at(x, j, k), at(x + 1, j, k), t.x); };
-  return glm::mix(glm::mix(along(y, z), along(y + 1, z), t.y),
-                  glm::mix(along(y, z + 1), along(y + 1, z + 1), t.y), t.z);
+  const glm::ivec3 first(f);
+  if (first.x >= 0 && first.y >= 0 && first.z >= 0 && first.x + 1 < nx_ && first.y + 1 < ny_ &&
+      first.z + 1 < nz_) {
+    const size_t slice = static_cast<size_t>(nx_) * ny_;
+    const float* c = &field[(static_cast<size_t>(first.z) * ny_ + first.y) * nx_ + first.x];
+    const auto plane = [&](const float* q) {
+      return glm::mix(glm::mix(q[0], q[1], t.x), glm::mix(q[nx_], q[nx_ + 1], t.x), t.y);
+    };
+    return glm::mix(plane(c), plane(c + slice), t.z);
+  }
+  const auto at = [&](int x, int y, int z) {
+    if (x < 0 || y < 0 || z < 0 || x >= nx_ || y >= ny_ || z >= nz_) return 0.0f;
+    return field[(static_cast<size_t>(z) * ny_ + y) * nx_ + x];
+  };
+  const auto along = [&](int j, int k) { return glm::mix(at(first.x, j, k), at(first.x + 1, j, k), t.x); };
+  const auto plane = [&](int k) { return glm::mix(along(first.y, k), along(first.y + 1, k), t.y); };
+  return glm::mix(plane(first.z), plane(first.z + 1), t.z);
 }
+
+float ExtinctionGrid::extinction(const glm::vec3& point) const { return sample(values_, point); }
 
 glm::vec3 ExtinctionGrid::gradient(const glm::vec3& point) const {
   glm::vec3 out;
@@ -77,23 +87,6 @@ glm::vec3 ExtinctionGrid::gradient(const glm::vec3& point) const {
     out[axis] = extinction(point + step) - extinction(point - step);
   }
   return out;
-}
-
-float ExtinctionGrid::opticalDepth(const glm::vec3& from, const glm::vec3& direction,
-                                   float skipMeters) const {
-  const glm::vec3 upper = lower_ + glm::vec3(nx_, ny_, nz_) * cell_;
-  float leave = 1e30f;
-  for (int axis = 0; axis < 3; ++axis)
-    if (std::abs(direction[axis]) > 1e-6f)
-      leave = std::min(leave,
-                       ((direction[axis] > 0 ? upper[axis] : lower_[axis]) - from[axis]) / direction[axis]);
-  const float step = 0.7f * cell_;
-  float depth = 0;
-  for (float along = skipMeters + 0.5f * step; along < leave; along += step) {
-    depth += extinction(from + direction * along) * step;
-    if (depth > 80.0f) break;
-  }
-  return depth;
 }
 
 }  // namespace cloudgen::light

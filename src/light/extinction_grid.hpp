@@ -16,18 +16,20 @@ class ExtinctionGrid {
   /// kept exactly.
   ExtinctionGrid(std::span<const shape::Puff> puffs, int cellsAlongLongest);
 
-  /// Optical depth from a point to the edge of the grid along a unit direction (trilinear samples at
-  /// half-cell steps), leaving out the first `skipMeters`.
-  float opticalDepth(const glm::vec3& from, const glm::vec3& direction, float skipMeters) const;
   /// Extinction per metre at a point, trilinear; 0 outside.
   float extinction(const glm::vec3& point) const;
   /// Gradient of the extinction over one cell, 1/m per cell: it points into the cloud.
   glm::vec3 gradient(const glm::vec3& point) const;
   float cellMeters() const { return cell_; }
+  /// Number of cells along each axis, and the corner of the first one.
+  glm::ivec3 size() const { return {nx_, ny_, nz_}; }
+  const glm::vec3& lower() const { return lower_; }
+  /// Extinction per metre of every cell, x fastest, then y, then z.
+  const std::vector<float>& cells() const { return values_; }
+  /// A field of one value a cell at a point, trilinear; 0 outside.
+  float sample(const std::vector<float>& field, const glm::vec3& point) const;
 
  private:
-  float at(int x, int y, int z) const;
-
   glm::vec3 lower_{0};
   float cell_ = 1;
   int nx_ = 0, ny_ = 0, nz_ = 0;

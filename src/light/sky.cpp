@@ -9,17 +9,30 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
+#include <glm/geometric.hpp>
 #include <numbers>
+
+#include "light/atmosphere.hpp"
 
 namespace cloudgen::light {
 namespace {
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
 
-/// Relative air mass, Kasten & Young 1989.
-double airMass(double elevationDegrees) {
-  const double elevation = std::max(elevationDegrees, 0.0);
-  return 1.0 / (std::sin(radians(elevation)) + 0.50572 * std::pow(elevation + 6.07995, -1.6364));
+/// Clouds see the sun from above the thickest air, and a little beyond the horizon.
+constexpr double kCloudMeters = 1000;
+
+/// What is left at night, display-linear: a sky under a quarter moon, as an eye that has got used to it.
+const glm::vec3 kNight(0.010f, 0.013f, 0.022f);
+
+float luminance(const glm::vec3& color) { return glm::dot(color, glm::vec3(0.2126f, 0.7152f, 0.0722f)); }
+
+/// Mean over azimuth of the clear sky at an elevation, the glare about the sun left out.
+glm::vec3 skyRing(double elevationDegrees, double sunElevationDegrees) {
+  glm::vec3 sum(0);
+  for (const double azimuth : {60.0, 100.0, 140.0, 180.0})
+    sum += skyRadiance(elevationDegrees, azimuth, sunElevationDegrees);
+  return 0.25f * sum;
 }
 
 }  // namespace
@@ -29,11 +42,9 @@ Sun sunFrom(double azimuthDegrees, double elevationDegrees) {
   const double azimuth = radians(azimuthDegrees), elevation = radians(elevationDegrees);
   sun.direction = glm::vec3(std::sin(azimuth) * std::cos(elevation), std::sin(elevation),
                             -std::cos(azimuth) * std::cos(elevation));
-  // Rayleigh optical depths of one air mass at 680, 550 and 440 nm (0.042, 0.098, 0.240; Bodhaine et al.
-  // 1999) plus a clear-air aerosol of 0.05, 0.06, 0.08; white at one air mass, so that noon is neutral.
-  const double path = airMass(elevationDegrees) - 1.0;
-  sun.color = glm::vec3(std::exp(-0.092 * path), std::exp(-0.158 * path), std::exp(-0.320 * path));
-  sun.color = glm::max(sun.color, glm::vec3(0.02f, 0.012f, 0.006f));
+  // White from the zenith, so that noon is neutral.
+  static const glm::vec3 zenith = sunTransmittance(90, kCloudMeters);
+  sun.color = sunTransmittance(elevationDegrees, kCloudMeters) / zenith;
   return sun;
 }
 
@@ -51,16 +62,27 @@ Sun sunAt(base::UtcTime time, double longitudeDegrees, double latitudeDegrees) {
 }
 
 Sky skyUnder(const Sun& sun) {
-  const float low = static_cast<float>(std::clamp(1.0 - sun.elevationDegrees / 25.0, 0.0, 1.0));
-  const float day = static_cast<float>(std::clamp((sun.elevationDegrees + 6.0) / 16.0, 0.03, 1.0));
+  const double elevation = sun.elevationDegrees;
+  const float low = static_cast<float>(std::clamp(1.0 - elevation / 25.0, 0.0, 1.0));
+  // How bright the sky is shown: an eye gets used to dusk, down to the end of civil twilight.
+  const float day = static_cast<float>(std::clamp((elevation + 8.0) / 18.0, 0.0, 1.0));
+  const glm::vec3 high = skyRing(65, elevation), edge = skyRing(5, elevation);
+  const float scale = 0.68f * day / std::max(luminance(edge), 1e-9f);
+  // Light of higher orders: it whitens the long ways at the horizon, and blue once more the air above.
+  const auto evened = [](const glm::vec3& color, float share) {
+    return glm::mix(color, glm::vec3(luminance(color)), share);
+  };
+  const glm::vec3 blue = luminance(high) * glm::vec3(0.42f, 0.96f, 2.5f);
+  const auto shown = [](const glm::vec3& color) { return glm::clamp(color, 0.0f, 1.0f); };
   Sky sky;
-  sky.zenith = day * glm::mix(glm::vec3(0.10f, 0.26f, 0.62f), glm::vec3(0.11f, 0.19f, 0.42f), low);
-  sky.horizon = day * glm::mix(glm::vec3(0.55f, 0.70f, 0.86f), glm::vec3(0.86f, 0.55f, 0.36f), low * low);
-  sky.ground = day * glm::mix(glm::vec3(0.13f, 0.17f, 0.09f), glm::vec3(0.09f, 0.09f, 0.06f), low);
-  sky.ambient = day * glm::mix(glm::vec3(0.36f, 0.43f, 0.53f), glm::vec3(0.26f, 0.27f, 0.35f), low);
-  sky.bounce = sky.ground * glm::vec3(0.85f) *
-                   static_cast<float>(std::max(0.15, std::sin(radians(sun.elevationDegrees)))) +
-               0.12f * sky.ambient;
+  sky.zenith = shown(1.4f * scale * glm::mix(high, blue, 0.5f) + 0.5f * kNight);
+  sky.horizon = shown(scale * evened(edge, 0.15f) + kNight);
+  sky.ground =
+      day * glm::mix(glm::vec3(0.13f, 0.17f, 0.09f), glm::vec3(0.09f, 0.09f, 0.06f), low) + 0.15f * kNight;
+  sky.ambient = shown(evened(0.55f * sky.zenith + 0.45f * sky.horizon, 0.35f)) + 0.5f * kNight;
+  sky.bounce =
+      sky.ground * glm::vec3(0.85f) * static_cast<float>(std::max(0.15, std::sin(radians(elevation)))) +
+      0.12f * sky.ambient;
   return sky;
 }
 

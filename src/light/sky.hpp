@@ -11,7 +11,7 @@ namespace cloudgen::light {
 struct Sun {
   double azimuthDegrees = 180, elevationDegrees = 45;
   glm::vec3 direction{0, 1, 0};  ///< towards the sun, scene frame (x east, y up, z south)
-  glm::vec3 color{1};            ///< display-linear, reddened by the air mass
+  glm::vec3 color{1};            ///< display-linear, reddened by the air, 0 once it is set for clouds
 };
 
 /// Colours of the clear sky and the ground, display-linear.
@@ -27,7 +27,9 @@ Sun sunAt(base::UtcTime time, double longitudeDegrees, double latitudeDegrees);
 /// A sun at a chosen place in the sky. Azimuth clockwise from north, elevation -90..90.
 Sun sunFrom(double azimuthDegrees, double elevationDegrees);
 
-/// The clear sky that goes with a sun: blue by day, red at the horizon when the sun is low.
+/// The clear sky that goes with a sun, by single scattering in its colours and contrast
+/// (light/atmosphere.hpp): blue by day, red at the horizon when the sun is low, and after dusk a stated least
+/// light as of a moon. Its brightness is that of an eye that gets used to dusk.
 Sky skyUnder(const Sun& sun);
 
 }  // namespace cloudgen::light

@@ -9,7 +9,9 @@
 
 #include "base/thread.hpp"
 #include "light/extinction_grid.hpp"
+#include "light/optics.hpp"
 #include "light/shade.hpp"
+#include "light/shadow.hpp"
 #include "pipeline/archetype.hpp"
 #include "shape/generate.hpp"
 
@@ -32,11 +34,21 @@ scene::Archetype makeArchetype(const ArchetypeKey& key, const Options& options,
   return archetype;
 }
 
-/// Cirrocumulus shows no shading at all, cirrus and cirrostratus next to none (WMO atlas).
+/// Cirrocumulus shows no shading at all, cirrus and cirrostratus next to none (WMO atlas). The small elements
+/// of altocumulus and the rolls of stratocumulus light each other, which their archetype does not know.
 float shadingOf(base::Genus genus) {
   if (genus == base::Genus::Cirrocumulus) return 0.05f;
   if (genus == base::Genus::Cirrus || genus == base::Genus::Cirrostratus) return 0.2f;
+  if (genus == base::Genus::Altocumulus) return 0.7f;
+  if (genus == base::Genus::Stratocumulus) return 0.85f;
   return 1.0f;
+}
+
+/// Ice scatters less sharply forward than droplets do.
+float asymmetryOf(base::Genus genus) {
+  using base::Genus;
+  const bool ice = genus == Genus::Cirrus || genus == Genus::Cirrocumulus || genus == Genus::Cirrostratus;
+  return ice ? light::kIceAsymmetry : light::kWaterAsymmetry;
 }
 
 /// The puffs as the light meets them: an element of a sheet stands among others that overlap it.
@@ -55,13 +67,13 @@ light::ExtinctionGrid gridOf(const scene::Archetype& archetype, const shape::Rec
 }
 
 scene::LitArchetype lightArchetype(std::uint32_t index, int yawStep, const scene::Archetype& archetype,
-                                   const light::ExtinctionGrid& grid, const Origin& origin) {
+                                   const light::CloudTransfer& transfer, const Origin& origin) {
   const glm::quat turnBack = glm::angleAxis(-scene::yawRadians(yawStep), glm::vec3(0, 1, 0));
   const light::Lighting lighting{turnBack * origin.sun.direction, origin.sun.color, origin.sky};
   scene::LitArchetype lit;
   lit.archetype = index;
   lit.yawStep = yawStep;
-  lit.puffs = light::shadePuffs(archetype.puffs, grid, lighting, shadingOf(archetype.genus));
+  lit.puffs = light::shadePuffs(archetype.puffs, transfer, lighting, shadingOf(archetype.genus));
   lit.farPuffs = light::averageLight(archetype.puffs, lit.puffs, archetype.farPuffs);
   return lit;
 }
@@ -117,8 +129,10 @@ scene::Scene produce(const field::CloudTable& table, const Origin& origin, const
     const scene::Archetype& archetype = scene.archetypes[a];
     const light::ExtinctionGrid grid =
         gridOf(archetype, options.recipes.of(archetype.genus, isThin(keys[a].layerClass)));
+    const light::CloudTransfer transfer =
+        light::bakeTransfer(archetype.puffs, grid, asymmetryOf(archetype.genus));
     for (const std::uint32_t i : litsOf[a])
-      scene.lit[i] = lightArchetype(lits[i].first, lits[i].second, archetype, grid, origin);
+      scene.lit[i] = lightArchetype(lits[i].first, lits[i].second, archetype, transfer, origin);
   });
   progress.step("production: light", 1);
 
@@ -138,6 +152,14 @@ scene::Scene produce(const field::CloudTable& table, const Origin& origin, const
         static_cast<float>(cloud.opticalDepth * shape::footprintSquareMeters(cloud.widthMeters) /
                            (waterOf[scene.lit[instance.lit].archetype] * instance.scale * instance.scale));
   }
+  std::vector<light::Caster> casters;
+  for (size_t i = 0; i < scene.instances.size(); ++i) {
+    const field::Cloud& cloud = table.clouds[i];
+    casters.push_back({scene.instances[i].position, static_cast<float>(0.5 * cloud.widthMeters),
+                       static_cast<float>(cloud.depthMeters), static_cast<float>(cloud.opticalDepth)});
+  }
+  const std::vector<float> sunlight = light::sunlightOf(casters, origin.sun.direction);
+  for (size_t i = 0; i < sunlight.size(); ++i) scene.instances[i].sunlight = sunlight[i];
   return scene;
 }
 

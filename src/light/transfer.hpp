@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "light/extinction_grid.hpp"
+#include "light/harmonics.hpp"
+#include "shape/puff.hpp"
+
+namespace cloudgen::light {
+
+/// How a puff answers to light, whatever the sun: radiances relative to a white surface that faces the light
+/// squarely. Baked once for a cloud; a sun or a heading then costs a dot product.
+struct PuffTransfer {
+  Harmonics sun{};       ///< all orders of scattering, of the direction towards the sun
+  Harmonics through{};   ///< what of the beam comes nearly straight to the skin
+  float sky = 0;         ///< under an even sky of radiance 1 above the horizon
+  float ground = 0;      ///< over ground of radiance 1; sky + ground is 1 for what does not absorb
+  float visibility = 0;  ///< mean transmittance to the outside, 0 for what is hidden all around
+};
+
+/// A cloud's puffs, in their order, and how its bright faces answer to a high sun.
+struct CloudTransfer {
+  std::vector<PuffTransfer> puffs;
+  float bright =
+      1;  ///< a twelfth of what is seen answers more, under the sun of a lattice that suits it best
+};
+
+/// The same for one direction of the sun, not fitted.
+struct SunAnswer {
+  float sun = 0, through = 0;
+};
+
+/// Transfer of each puff inside the medium of `grid`: depths by sweeps in 48 directions, octaves of the
+/// reduced depths (1 - `asymmetry`) tau before and behind the puff, and how squarely its skin faces the
+/// light.
+CloudTransfer bakeTransfer(std::span<const shape::Puff> puffs, const ExtinctionGrid& grid, float asymmetry);
+
+/// What weighs in the tone of a cloud: area, as far as it is seen.
+float seenArea(const shape::Puff& puff, const PuffTransfer& transfer);
+
+/// The answers to one direction towards the sun without the fit, by two sweeps.
+std::vector<SunAnswer> bakeSun(std::span<const shape::Puff> puffs, const ExtinctionGrid& grid,
+                               float asymmetry, const glm::vec3& sunDirection);
+
+}  // namespace cloudgen::light
