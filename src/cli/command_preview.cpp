@@ -96,7 +96,9 @@ int preview(const PreviewLine& line, const Terminal& terminal) {
     throw base::InputError(report.string(), std::string("is not a report of cloudgen (") + error.what() + ")",
                            "build the scene again");
   }
-  image::writePng(line.output, image::render(splats, camera, surroundings, terminal.progress()));
+  image::RenderOptions options;
+  options.coarse = [&](const image::Picture& picture) { image::writePng(line.output, picture); };
+  image::writePng(line.output, image::render(splats, camera, surroundings, options, terminal.progress()));
   terminal.say(fmt::format("{}: {} splats, {}x{}", line.output, splats.size(), width, height));
   return 0;
 }

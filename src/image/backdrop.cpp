@@ -8,18 +8,19 @@
 #include <limits>
 
 #include "base/noise.hpp"
-#include "light/color.hpp"
+#include "image/sun_glare.hpp"
 #include "light/relief.hpp"
 
 namespace cloudgen::image {
 namespace {
 
-constexpr double kHazeHeightMeters = 2200, kHazeLengthMeters = 60000;
+constexpr double kHazeHeightMeters = 2200, kHazeLengthMeters = 42000;
 
 }  // namespace
 
-Backdrop::Backdrop(std::span<const Splat> splats, const Surroundings& surroundings)
-    : surroundings_(surroundings) {
+Backdrop::Backdrop(std::span<const Splat> splats, const Surroundings& surroundings, const glm::dvec3& eye)
+    : surroundings_(surroundings),
+      atmosphere_(surroundings.sun, surroundings.sky, eye.y - surroundings.groundHeightMeters) {
   if (!surroundings.terrain.empty()) summit_ = surroundings.terrain.highest() + 1.0;
   if (splats.empty()) return;
   // The shadow falls along the sun; low suns are taken at 8 degrees so that it stays on the map.
@@ -69,29 +70,16 @@ float Backdrop::shadowAt(double x, double z) const {
   return glm::mix(glm::mix(row[0], row[1], fu), glm::mix(row[side_], row[side_ + 1], fu), fv);
 }
 
-glm::vec3 Backdrop::skyColor(const glm::dvec3& direction) const {
-  const light::Sky& sky = surroundings_.sky;
-  const float up = static_cast<float>(std::max(0.0, direction.y));
-  glm::vec3 color = glm::mix(sky.horizon, sky.zenith, 1.0f - std::exp(-4.5f * up));
-  const float towardsSun = static_cast<float>(glm::dot(direction, glm::dvec3(surroundings_.sun.direction)));
-  if (towardsSun > 0)
-    color +=
-        surroundings_.sun.color * (0.10f * std::pow(towardsSun, 8.0f) + 0.22f * std::pow(towardsSun, 90.0f) +
-                                   3.0f * std::pow(towardsSun, 12000.0f));
-  return color;
+Haze Backdrop::hazeAlong(const glm::dvec3& eye, const glm::dvec3& direction) const {
+  return {atmosphere_.sky(
+              glm::normalize(glm::dvec3(direction.x, std::max(0.0, 0.15 * direction.y), direction.z))),
+          std::exp(-std::max(0.0, eye.y) / kHazeHeightMeters) / kHazeLengthMeters, kHazeHeightMeters};
 }
 
-glm::vec3 Backdrop::hazeColor(const glm::dvec3& direction) const {
-  return light::srgbFromLinear(
-      skyColor(glm::normalize(glm::dvec3(direction.x, std::max(0.02, 0.15 * direction.y), direction.z))));
-}
-
-float Backdrop::clarity(const glm::dvec3& eye, const glm::dvec3& point) const {
-  const double distance = glm::length(point - eye), rise = point.y - eye.y;
-  const double a = std::exp(-std::max(0.0, eye.y) / kHazeHeightMeters),
-               b = std::exp(-std::max(0.0, point.y) / kHazeHeightMeters);
-  const double mean = std::abs(rise) < 1.0 ? a : kHazeHeightMeters * (a - b) / rise;
-  return static_cast<float>(std::exp(-distance * std::max(0.0, mean) / kHazeLengthMeters));
+glm::vec3 Backdrop::sunlightThrough(const glm::dvec3& direction, float water, float ice) const {
+  if (surroundings_.sun.elevationDegrees < -0.5) return glm::vec3(0);
+  return atmosphere_.sunlight() *
+         glareAndHalo(glm::dot(direction, glm::dvec3(surroundings_.sun.direction)), water, ice);
 }
 
 double Backdrop::distanceToTerrain(const glm::dvec3& eye, const glm::dvec3& direction) const {
@@ -160,15 +148,15 @@ glm::vec3 Backdrop::groundColor(const glm::dvec3& point, double distance) const 
   return ground * (0.38f + 0.72f * lit);
 }
 
-glm::vec3 Backdrop::colorAlong(const glm::dvec3& eye, const glm::dvec3& direction) const {
+glm::vec3 Backdrop::radianceAlong(const glm::dvec3& eye, const glm::dvec3& direction) const {
   double distance = distanceToTerrain(eye, direction);
   if (!std::isfinite(distance)) {
-    if (direction.y > -1e-4) return light::srgbFromLinear(skyColor(direction));
+    if (direction.y > -1e-4) return atmosphere_.sky(direction);
     distance = (eye.y - surroundings_.groundHeightMeters) / -direction.y;
   }
-  const glm::dvec3 point = eye + direction * distance;
-  return glm::mix(hazeColor(direction), light::srgbFromLinear(groundColor(point, distance)),
-                  clarity(eye, point));
+  const Haze haze = hazeAlong(eye, direction);
+  return glm::mix(haze.color, groundColor(eye + direction * distance, distance),
+                  clarityThrough(haze, direction.y, static_cast<float>(distance)));
 }
 
 }  // namespace cloudgen::image
