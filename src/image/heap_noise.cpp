@@ -70,7 +70,7 @@ float HeapNoise::octaves(const glm::vec3& point, float longest, float shortest) 
       const float scale = std::exp2(static_cast<float>(-k)), shift = 3.7f * static_cast<float>(k);
       sum += share * amplitude * at(point * scale + glm::vec3(shift, 1.618f * shift, 2.414f * shift));
       total += share * amplitude;
-      amplitude *= 0.56f * share + (1 - share);
+      amplitude *= 0.45f * share + (1 - share);
     }
   }
   return std::clamp(1.9f * (sum / total) - 0.8f, 0.0f, 1.0f);

@@ -15,7 +15,7 @@ class HeapNoise {
   explicit HeapNoise(std::uint64_t seed);
 
   float at(const glm::vec3& point) const;
-  /// Octaves added up from wavelength `longest` down to `shortest` (metres of `point`), each weighing 0.56 of
+  /// Octaves added up from wavelength `longest` down to `shortest` (metres of `point`), each weighing 0.45 of
   /// the next longer one; an octave comes in and goes out gradually as the bounds pass it. 0..1, mean near
   /// 0.5.
   float octaves(const glm::vec3& point, float longest, float shortest) const;

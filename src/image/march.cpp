@@ -16,7 +16,7 @@ namespace {
 constexpr float kReach2 = 9.0f, kAtReach = 0.011109f;  // exp(-9/2): what is cut, so that no edge is seen
 constexpr float kOpaque = 0.004f;                      // what shines through less is black
 constexpr float kLightAnew = 0.05f;  // the light is looked at again after this share of what was open
-constexpr float kMeanLight = 0.86f;
+constexpr float kMeanLight = 0.94f;
 constexpr int kMostSamples = 1500;
 constexpr float kStep = 0.6f;   // of a crossing's deviation: sums of Gaussians are exact to 1e-5 at 0.9
 constexpr float kSolid = 6.0f;  // overlapping puffs: no noise reaches so deep
@@ -53,6 +53,8 @@ March::March(std::span<const Blob> blobs, const View& view, const VolumeOptions&
       pixelAtOrigin_(static_cast<float>(view.pixelMeters(0))),
       pixelPerMeter_(static_cast<float>(view.pixelMeters(1) - view.pixelMeters(0))) {}
 
+bool March::startsLater(const Crossing& a, const Crossing& b) { return a.start > b.start; }
+
 void March::meet(std::uint32_t index, float after) {
   const Blob& blob = blobs_[index];
   const glm::vec3 along = blob.toUnit * direction_, center = blob.toUnit * (blob.center - origin_);
@@ -62,17 +64,14 @@ void March::meet(std::uint32_t index, float after) {
   if (closest2 >= kReach2) return;
   const float deviation = std::sqrt(inverse2), half = deviation * std::sqrt(kReach2 - closest2);
   if (middle + half <= after) return;
-  crossings_.push_back({index, middle, deviation, closest2, middle - half, middle + half});
+  waiting_.push_back({index, middle, deviation, closest2, middle - half, middle + half});
+  std::push_heap(waiting_.begin(), waiting_.end(), startsLater);
 }
 
-void March::dropPassed(float distance) {
-  std::erase_if(crossings_, [&](const Crossing& crossing) { return crossing.end <= distance; });
-}
-
-float March::nextStart() const {
-  float next = 1e30f;
-  for (const Crossing& crossing : crossings_) next = std::min(next, crossing.start);
-  return next;
+void March::beginNext() {
+  std::pop_heap(waiting_.begin(), waiting_.end(), startsLater);
+  crossings_.push_back(waiting_.back());
+  waiting_.pop_back();
 }
 
 March::Field March::fieldOnRay(float distance) const {
@@ -123,20 +122,20 @@ float March::eaten(const Field& field, const glm::vec3& point, float shortest) c
   return extinction * glm::mix(share, 1.0f, step01(0.6f * kSolid, kSolid, overlap));
 }
 
-/// How much the light of the puffs changes by what lies between a place and the sun within a few puff widths,
-/// 1 where nothing does.
-float March::lightAt(const glm::vec3& point, float scale, float billow, float shortest) const {
+/// How much the light of a heap's puffs changes by what lies between a place and the sun within a few puff
+/// widths, about 1 in the mean.
+float March::lightAt(const glm::vec3& point, float scale, float shortest) const {
   // Puffs of a few pixels show no relief: their mean.
   const float seen = step01(1.2f, 3.0f, scale / shortest);
-  if (seen <= 0) return glm::mix(1.0f, kMeanLight, billow);
+  if (seen <= 0) return kMeanLight;
   constexpr std::array<float, 3> kAt{0.35f, 1.2f, 2.6f}, kLong{0.7f, 1.1f, 1.7f};
   float depth = 0;
   for (size_t i = 0; i < kAt.size(); ++i) {
     const glm::vec3 there = point + options_.sunDirection * (kAt[i] * scale);
     depth += kLong[i] * scale * eaten(fieldAt(there), there, std::max(shortest, 0.3f * scale));
   }
-  const float sun = 1.32f * (0.13f + 0.87f * fastExp(-0.48f * depth));
-  return glm::mix(1.0f, glm::mix(kMeanLight, glm::mix(1.0f, sun, options_.sunShare), seen), billow);
+  const float sun = 1.25f * (0.2f + 0.8f * fastExp(-0.42f * depth));
+  return glm::mix(kMeanLight, glm::mix(1.0f, sun, options_.sunShare), seen);
 }
 
 Gathered March::run(std::span<const std::uint32_t> list, float far, float jitter) {
@@ -145,13 +144,17 @@ Gathered March::run(std::span<const std::uint32_t> list, float far, float jitter
   size_t next = 0;
   int samples = 0;
   while (distance < far && out.open > kOpaque && samples < kMostSamples) {
-    while (next < list.size() && blobs_[list[next]].enter <= distance + step) meet(list[next++], distance);
-    dropPassed(distance);
-    const float start = nextStart();
-    if (start > distance) {
+    const auto meetUntil = [&](float there) {
+      while (next < list.size() && blobs_[list[next]].enter <= there) meet(list[next++], distance);
+    };
+    meetUntil(distance);
+    std::erase_if(crossings_, [&](const Crossing& crossing) { return crossing.end <= distance; });
+    while (!waiting_.empty() && waiting_.front().start <= distance) beginNext();
+    if (crossings_.empty()) {
       // Nothing here: on to where something begins.
-      if (start > 1e29f && next == list.size()) break;
-      distance = std::min(start, next < list.size() ? blobs_[list[next]].enter : 1e30f);
+      if (waiting_.empty() && next == list.size()) break;
+      distance = std::min(waiting_.empty() ? 1e30f : waiting_.front().start,
+                          next < list.size() ? std::max(blobs_[list[next]].enter, distance) : 1e30f);
       step = 0;
       continue;
     }
@@ -159,10 +162,13 @@ Gathered March::run(std::span<const std::uint32_t> list, float far, float jitter
     // No longer than fits the narrowest crossing on the way: a thread within a veil must not be stepped over.
     const bool first = step == 0;
     if (first) step = 1e6f;
-    for (const Crossing& crossing : crossings_)
-      if (crossing.start < distance + step)
-        step = std::min(step, std::max(0.0f, crossing.start - distance) + kStep * crossing.deviation);
-    step = std::max(step * (first ? 0.3f + 0.7f * jitter : 1.0f),
+    for (const Crossing& crossing : crossings_) step = std::min(step, kStep * crossing.deviation);
+    meetUntil(distance + step);
+    while (!waiting_.empty() && waiting_.front().start < distance + step) {
+      step = std::min(step, waiting_.front().start - distance + kStep * waiting_.front().deviation);
+      beginNext();
+    }
+    step = std::max(step * (first ? 0.45f + 0.55f * jitter : 1.0f),
                     0.3f * (pixelAtOrigin_ + pixelPerMeter_ * distance));
     step = std::min(step, std::max(far - distance, 1e-3f));
     const float at = distance + 0.5f * step;
@@ -177,11 +183,11 @@ Gathered March::run(std::span<const std::uint32_t> list, float far, float jitter
       if (absorbed > 1e-5f) {
         unlit += absorbed;
         if (options_.detail && billow > 0.02f && unlit > kLightAnew * out.open) {
-          light = lightAt(point, scale, billow, shortest);
+          light = lightAt(point, scale, shortest);
           unlit = 0;
         }
         const float clarity = clarityThrough(haze_, direction_.y, at);
-        out.radiance += absorbed * glm::mix(haze_.color, light * field.color / field.extinction, clarity);
+        out.radiance += absorbed * glm::mix(haze_.color, glm::mix(1.0f, light, billow) * field.color / field.extinction, clarity);
         out.distance += absorbed * at;
         weight += absorbed;
         const float ice = field.ice / field.extinction;
@@ -190,7 +196,7 @@ Gathered March::run(std::span<const std::uint32_t> list, float far, float jitter
         out.open -= absorbed;
       }
       // The noise of heaps is finer than they are.
-      if (options_.detail && billow > 0.1f) longest = 0.4f * field.deviation / field.extinction;
+      if (options_.detail && billow > 0.1f) longest = 0.32f * field.deviation / field.extinction;
     }
     distance += step;
     step = longest;

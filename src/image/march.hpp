@@ -32,12 +32,12 @@ class March {
   };
 
   void meet(std::uint32_t blob, float after);
-  void dropPassed(float distance);
-  float nextStart() const;
+  void beginNext();
+  static bool startsLater(const Crossing& a, const Crossing& b);
   Field fieldOnRay(float distance) const;
   Field fieldAt(const glm::vec3& point) const;
   float eaten(const Field& field, const glm::vec3& point, float shortest) const;
-  float lightAt(const glm::vec3& point, float scale, float billow, float shortest) const;
+  float lightAt(const glm::vec3& point, float scale, float shortest) const;
 
   std::span<const Blob> blobs_;
   const VolumeOptions& options_;
@@ -45,7 +45,8 @@ class March {
   const HeapNoise& noise_;
   glm::vec3 eye_, origin_, direction_;  ///< origin from the eye
   float pixelAtOrigin_ = 0, pixelPerMeter_ = 0;
-  std::vector<Crossing> crossings_;
+  std::vector<Crossing> crossings_;  ///< begun and not passed
+  std::vector<Crossing> waiting_;    ///< ahead, a heap by start
 };
 
 }  // namespace cloudgen::image

@@ -30,7 +30,9 @@ glm::vec3 pixelColor(const Volume& volume, const Backdrop& backdrop, const View&
   const double hidden = backdrop.distanceToTerrain(ray.origin, ray.direction);
   const Haze haze = backdrop.hazeAlong(ray.origin, ray.direction);
   const Gathered clouds = volume.along(ray, list, hidden, jitterAt(x, y), haze);
-  glm::vec3 color = clouds.radiance;
+  // Thin ice sends less of the sun sideways than the many scatterings of a thick cloud do.
+  glm::vec3 color = clouds.radiance * (1.0f - 0.3f * clouds.ice / (clouds.ice + clouds.water + 1e-6f) *
+                                                  std::exp(-0.7f * (clouds.ice + clouds.water)));
   if (clouds.open > 0) color += clouds.open * backdrop.radianceAlong(ray.origin, ray.direction);
   if (!std::isfinite(hidden)) color += backdrop.sunlightThrough(ray.direction, clouds.water, clouds.ice);
   return displayed(color);

@@ -18,7 +18,7 @@ constexpr double kDisc = 46000;
 struct Forward {
   double share, degrees;
 };
-constexpr Forward kWater{0.35, 1.6}, kIce{0.55, 0.45};
+constexpr Forward kWater{0.15, 0.9}, kIce{0.35, 0.4};
 constexpr int kOrders = 24;
 
 /// Radiance of the aureole, all orders.
@@ -55,7 +55,7 @@ glm::vec3 glareAndHalo(double cosineFromSun, float water, float ice) {
   glm::dvec3 color(white);
   if (ice > 0.005f && degrees > 20) {
     // One scattering in the veil, dimmed by the way through it; water hides it.
-    const double strength = 0.42 * (1 - std::exp(-1.6 * ice)) * std::exp(-0.55 * ice - water);
+    const double strength = 0.55 * (1 - std::exp(-1.6 * ice)) * std::exp(-0.55 * ice - water);
     const glm::dvec3 least(21.6, 21.9, 22.3);
     for (int c = 0; c < 3; ++c) color[c] += strength * ring(degrees, least[c]);
   }
