@@ -187,7 +187,9 @@ Gathered March::run(std::span<const std::uint32_t> list, float far, float jitter
           unlit = 0;
         }
         const float clarity = clarityThrough(haze_, direction_.y, at);
-        out.radiance += absorbed * glm::mix(haze_.color, glm::mix(1.0f, light, billow) * field.color / field.extinction, clarity);
+        out.radiance +=
+            absorbed *
+            glm::mix(haze_.color, glm::mix(1.0f, light, billow) * field.color / field.extinction, clarity);
         out.distance += absorbed * at;
         weight += absorbed;
         const float ice = field.ice / field.extinction;

@@ -6,23 +6,15 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "base/thread.hpp"
 #include "image/backdrop.hpp"
+#include "image/tiles.hpp"
 #include "image/tone.hpp"
 #include "image/volume.hpp"
 
 namespace cloudgen::image {
 namespace {
 
-constexpr int kTile = 32, kBlock = 8;
 constexpr int kCoarser = 6;
-
-/// 0..1, as different as can be between neighbours (Jimenez 2014, interleaved gradient noise).
-float jitterAt(int x, int y) {
-  const double turn = 0.06711056 * x + 0.00583715 * y;
-  const double value = 52.9829189 * (turn - std::floor(turn));
-  return static_cast<float>(value - std::floor(value));
-}
 
 glm::vec3 pixelColor(const Volume& volume, const Backdrop& backdrop, const View& view,
                      std::span<const std::uint32_t> list, int x, int y) {
@@ -42,23 +34,10 @@ Picture renderView(std::span<const Splat> splats, const View& view, const Backdr
                    const VolumeOptions& options, std::string_view stage, const base::Progress& progress) {
   const Volume volume(splats, view, options);
   Picture picture(view.width, view.height);
-  const int columns = (view.width + kTile - 1) / kTile, rows = (view.height + kTile - 1) / kTile;
-  for (int row = 0; row < rows; ++row) {
-    progress.step(stage, static_cast<double>(row) / rows);
-    const auto ofRow = volume.listFor(0, row * kTile, view.width, kTile, volume.all());
-    base::parallelFor(static_cast<size_t>(columns), [&](size_t column) {
-      const int left = static_cast<int>(column) * kTile, top = row * kTile;
-      const auto ofTile = volume.listFor(left, top, kTile, kTile, ofRow);
-      for (int blockY = top; blockY < std::min(top + kTile, view.height); blockY += kBlock)
-        for (int blockX = left; blockX < std::min(left + kTile, view.width); blockX += kBlock) {
-          const auto ofBlock = volume.listFor(blockX, blockY, kBlock, kBlock, ofTile);
-          for (int y = blockY; y < std::min(blockY + kBlock, view.height); ++y)
-            for (int x = blockX; x < std::min(blockX + kBlock, view.width); ++x)
-              picture.at(x, y) = pixelColor(volume, backdrop, view, ofBlock, x, y);
-        }
-    });
-  }
-  progress.step(stage, 1);
+  forEachPixel(volume, view.width, view.height, stage, progress,
+               [&](int x, int y, std::span<const std::uint32_t> list) {
+                 picture.at(x, y) = pixelColor(volume, backdrop, view, list, x, y);
+               });
   return picture;
 }
 

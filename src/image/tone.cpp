@@ -1,18 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "image/tone.hpp"
 
-#include <cmath>
+#include <algorithm>
+#include <glm/common.hpp>
 
 #include "light/color.hpp"
 
 namespace cloudgen::image {
+namespace {
+
+float rolledOff(float value) {
+  constexpr float kKnee = 0.75f, kRoom = 1.0f - kKnee;
+  const float over = (value - kKnee) / kRoom;
+  return over > 0 ? kKnee + kRoom * over / (1 + over) : value;
+}
+
+}  // namespace
 
 glm::vec3 displayed(const glm::vec3& radiance) {
-  constexpr float kKnee = 0.75f, kRoom = 1.0f - kKnee;
-  glm::vec3 color = radiance;
-  for (int c = 0; c < 3; ++c)
-    if (color[c] > kKnee) color[c] = kKnee + kRoom * (1.0f - std::exp((kKnee - color[c]) / kRoom));
-  return light::srgbFromLinear(color);
+  const float most = std::max({radiance.x, radiance.y, radiance.z, 1e-6f});
+  const glm::vec3 sameHue = radiance * (rolledOff(most) / most);
+  const glm::vec3 each(rolledOff(radiance.x), rolledOff(radiance.y), rolledOff(radiance.z));
+  return light::srgbFromLinear(glm::mix(each, sameHue, 0.6f));
 }
 
 }  // namespace cloudgen::image

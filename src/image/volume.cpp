@@ -124,6 +124,12 @@ float clarityThrough(const Haze& haze, double risePerMeter, float distanceMeters
   return std::exp(-distanceMeters * static_cast<float>(haze.perMeterAtEye) * mean);
 }
 
+float jitterAt(int x, int y) {
+  const double turn = 0.06711056 * x + 0.00583715 * y;
+  const double value = 52.9829189 * (turn - std::floor(turn));
+  return static_cast<float>(value - std::floor(value));
+}
+
 Gathered Volume::along(const Ray& ray, std::span<const std::uint32_t> list, double farMeters, float jitter,
                        const Haze& haze) const {
   March march(blobs_, view_, options_, ray, haze);

@@ -80,4 +80,8 @@ class Volume {
   std::vector<std::uint32_t> all_;
 };
 
+/// A jitter for a pixel's ray, as different as can be between neighbours (interleaved gradient noise, Jimenez
+/// 2014).
+float jitterAt(int x, int y);
+
 }  // namespace cloudgen::image
