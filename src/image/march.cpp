@@ -14,6 +14,7 @@ namespace cloudgen::image {
 namespace {
 
 constexpr float kReach2 = 9.0f, kAtReach = 0.011109f;  // exp(-9/2): what is cut, so that no edge is seen
+constexpr float kKept = 0.97068f;                      // of the optical depth through the centre after that
 constexpr float kOpaque = 0.004f;                      // what shines through less is black
 constexpr float kLightAnew = 0.05f;  // the light is looked at again after this share of what was open
 constexpr float kMeanLight = 0.94f;
@@ -29,9 +30,10 @@ float fastExp(float x) {
   return std::bit_cast<float>(std::bit_cast<std::int32_t>(power) + (static_cast<std::int32_t>(whole) << 23));
 }
 
-/// Gaussian that ends at three deviations.
+/// Gaussian that ends at three deviations, with the optical depth of one that does not.
 float bell(float squaredDeviations) {
-  return squaredDeviations < kReach2 ? std::max(0.0f, fastExp(-0.5f * squaredDeviations) - kAtReach) : 0.0f;
+  return squaredDeviations < kReach2 ? std::max(0.0f, fastExp(-0.5f * squaredDeviations) - kAtReach) / kKept
+                                     : 0.0f;
 }
 
 float step01(float from, float to, float value) {
@@ -125,8 +127,8 @@ float March::eaten(const Field& field, const glm::vec3& point, float shortest) c
 /// How much the light of a heap's puffs changes by what lies between a place and the sun within a few puff
 /// widths, about 1 in the mean.
 float March::lightAt(const glm::vec3& point, float scale, float shortest) const {
-  // Puffs of a few pixels show no relief: their mean.
-  const float seen = step01(1.2f, 3.0f, scale / shortest);
+  // Puffs of a pixel show no relief: their mean.
+  const float seen = step01(0.5f, 1.1f, scale / shortest);
   if (seen <= 0) return kMeanLight;
   constexpr std::array<float, 3> kAt{0.35f, 1.2f, 2.6f}, kLong{0.7f, 1.1f, 1.7f};
   float depth = 0;

@@ -69,8 +69,10 @@ std::vector<MapTexel> mapsFromTheSide(const std::vector<float>& volume) {
         const size_t cell = cellOf(x, y, z);
         if (!(volume[cell] > 0)) continue;
         const float absorbed = through * -std::expm1(-volume[cell] * kStep);
-        const glm::vec3 gradient = outwards(volume, x, y, z);
-        normal += absorbed * gradient / (glm::length(gradient) + 0.05f);
+        // What shows through from the far side would turn the normal away from the eye.
+        glm::vec3 gradient = outwards(volume, x, y, z);
+        gradient.z = std::abs(gradient.z);
+        normal += absorbed * through * gradient / (glm::length(gradient) + 0.02f);
         for (size_t side = 0; side < 6; ++side)
           light[side] += absorbed * light::scatteredShare(2.4f * depths[side][cell]);
         weight += absorbed;
