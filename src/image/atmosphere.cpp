@@ -43,7 +43,8 @@ Atmosphere::Atmosphere(const light::Sun& sun, const light::Sky& sky, double eyeH
   const float exposure = 1.0f / std::max(0.02f, glm::dot(0.9f * sun.color + 0.4f * sky.ambient, luminance));
   sunlight_ = exposure * sun.color;
   // Photographs and eyes hold the sky brighter against white clouds than it is.
-  gain_ = 2.1f * exposure;
+  // A camera set for a low sun's clouds would burn the sky about it out: less for both.
+  gain_ = 2.1f * std::pow(exposure, 0.65f);
   table_.resize(static_cast<size_t>(kElevations) * kAzimuths);
   for (int row = 0; row < kElevations; ++row)
     for (int column = 0; column < kAzimuths; ++column) {

@@ -30,16 +30,17 @@ Backdrop::Backdrop(std::span<const Splat> splats, const Surroundings& surroundin
     const double fall = (splat.center.y - surroundings.groundHeightMeters) / sun.y;
     return glm::dvec2(splat.center.x - sun.x * fall, splat.center.z - sun.z * fall);
   };
+  constexpr double kShadowReach = 3.0;  // deviations: nothing is seen to be cut off
   glm::dvec2 lower(1e300), upper(-1e300);
   for (const Splat& splat : splats) {
-    lower = glm::min(lower, footOf(splat));
-    upper = glm::max(upper, footOf(splat));
+    const double reach = kShadowReach * std::max(splat.sigma.x, splat.sigma.z);
+    lower = glm::min(lower, footOf(splat) - reach);
+    upper = glm::max(upper, footOf(splat) + reach);
   }
   side_ = 1024;
-  const double margin = 0.02 * std::max(upper.x - lower.x, upper.y - lower.y) + 500;
-  cell_ = (std::max(upper.x - lower.x, upper.y - lower.y) + 2 * margin) / side_;
-  originX_ = lower.x - margin;
-  originZ_ = lower.y - margin;
+  cell_ = (std::max(upper.x - lower.x, upper.y - lower.y) + 1000) / (side_ - 8);
+  originX_ = lower.x - 4 * cell_;
+  originZ_ = lower.y - 4 * cell_;
   shadowDepth_.assign(static_cast<size_t>(side_) * side_, 0.0f);
   for (const Splat& splat : splats) {
     const glm::dvec2 foot = footOf(splat);
@@ -49,10 +50,10 @@ Backdrop::Backdrop(std::span<const Splat> splats, const Surroundings& surroundin
     const auto cellOf = [&](double value, double origin) {
       return static_cast<int>((value - origin) / cell_);
     };
-    for (int z = std::max(0, cellOf(foot.y - 2 * radius, originZ_));
-         z <= std::min(side_ - 1, cellOf(foot.y + 2 * radius, originZ_)); ++z)
-      for (int x = std::max(0, cellOf(foot.x - 2 * radius, originX_));
-           x <= std::min(side_ - 1, cellOf(foot.x + 2 * radius, originX_)); ++x) {
+    for (int z = std::max(0, cellOf(foot.y - kShadowReach * radius, originZ_));
+         z <= std::min(side_ - 1, cellOf(foot.y + kShadowReach * radius, originZ_)); ++z)
+      for (int x = std::max(0, cellOf(foot.x - kShadowReach * radius, originX_));
+           x <= std::min(side_ - 1, cellOf(foot.x + kShadowReach * radius, originX_)); ++x) {
         const double dx = originX_ + (x + 0.5) * cell_ - foot.x, dz = originZ_ + (z + 0.5) * cell_ - foot.y;
         shadowDepth_[static_cast<size_t>(z) * side_ + x] +=
             depth * static_cast<float>(std::exp(-0.5 * (dx * dx + dz * dz) / (radius * radius)));

@@ -16,7 +16,7 @@ namespace {
 constexpr float kReach2 = 9.0f, kAtReach = 0.011109f;  // exp(-9/2): what is cut, so that no edge is seen
 constexpr float kKept = 0.97068f;                      // of the optical depth through the centre after that
 constexpr float kOpaque = 0.004f;                      // what shines through less is black
-constexpr float kLightAnew = 0.05f;  // the light is looked at again after this share of what was open
+constexpr float kLightAnew = 0.08f;  // the light is looked at again after this share of what was open
 constexpr float kMeanLight = 0.94f;
 constexpr int kMostSamples = 1500;
 constexpr float kStep = 0.6f;   // of a crossing's deviation: sums of Gaussians are exact to 1e-5 at 0.9
@@ -82,6 +82,7 @@ March::Field March::fieldOnRay(float distance) const {
     const float a = (distance - crossing.middle) / crossing.deviation;
     const Blob& blob = blobs_[crossing.blob];
     const float extinction = blob.extinction * bell(crossing.closest2 + a * a);
+    if (!(extinction > 0)) continue;
     field.extinction += extinction;
     field.own += extinction * blob.extinction;
     field.scale += extinction * blob.scale;
@@ -99,6 +100,7 @@ March::Field March::fieldAt(const glm::vec3& point) const {
     const Blob& blob = blobs_[crossing.blob];
     const glm::vec3 away = blob.toUnit * (point - blob.center);
     const float extinction = blob.extinction * bell(glm::dot(away, away));
+    if (!(extinction > 0)) continue;
     field.extinction += extinction;
     field.own += extinction * blob.extinction;
     field.scale += extinction * blob.scale;
