@@ -134,10 +134,16 @@ glm::vec3 Backdrop::groundColor(const glm::dvec3& point, double distance) const 
   // Patches of the ground fade where a pixel would hold many of them.
   const double seen = 1.0 / (1.0 + std::pow(distance / 150000.0, 2.0));
   const base::HeightField& terrain = surroundings_.terrain;
-  const bool relief = !terrain.empty() && terrain.covers(point.x, point.z);
-  glm::vec3 ground =
-      relief ? light::reliefColorAt(terrain, point.x, point.z, surroundings_.sun, surroundings_.sky)
-             : surroundings_.sky.ground;
+  glm::vec3 ground = surroundings_.sky.ground;
+  if (!terrain.empty() && terrain.covers(point.x, point.z)) {
+    // The relief comes in gradually from the lattice's border, so that no line is seen there.
+    const double width = (terrain.columns - 1) * terrain.step.x, depth = (terrain.rows - 1) * terrain.step.y;
+    const double x = (point.x - terrain.origin.x) / width, z = (point.z - terrain.origin.y) / depth;
+    const double inside = std::min({x, 1 - x, z, 1 - z});
+    ground = glm::mix(ground,
+                      light::reliefColorAt(terrain, point.x, point.z, surroundings_.sun, surroundings_.sky),
+                      static_cast<float>(base::smoothStep(0.0, 0.08, inside)));
+  }
   ground *= static_cast<float>(1.0 + 0.45 * seen * coarse + 0.2 * fine);
   ground = glm::mix(ground, glm::vec3(1.2f, 1.05f, 0.85f) * ground,
                     static_cast<float>(seen * base::smoothStep(-0.1, 0.5, coarse)));

@@ -13,8 +13,8 @@ namespace cloudgen::image {
 HeapNoise::HeapNoise(std::uint64_t seed) {
   std::vector<glm::vec3> points(static_cast<size_t>(kPeriod) * kPeriod * kPeriod);
   for (size_t i = 0; i < points.size(); ++i) {
-    base::RandomStream random(seed, i, base::Purpose::SpriteNoise);
-    for (int axis = 0; axis < 3; ++axis) points[i][axis] = static_cast<float>(random.uniform(0.05, 0.95));
+    base::RandomStream stream(seed, i, base::Purpose::SpriteNoise);
+    for (int axis = 0; axis < 3; ++axis) points[i][axis] = static_cast<float>(stream.uniform(0.05, 0.95));
   }
   const auto wrapped = [](int i) { return (i + kPeriod) % kPeriod; };
   table_.resize(static_cast<size_t>(kSide) * kSide * kSide);
