@@ -89,24 +89,22 @@ ImpostorAtlas bakeImpostor(std::span<const shape::Puff> puffs, std::span<const l
           parallelView(glm::dvec3(atlas.center), impostorDirection(column, row, options.viewsAcross), radius,
                        radius, options.tilePixels);
       const Volume volume(splats, view, {options.detail, sun.direction});
-      forEachPixel(volume, view.width, view.height, "impostor", {},
-                   [&](int x, int y, std::span<const std::uint32_t> list) {
-                     const Gathered seen =
-                         volume.along(view.rayAt(x + 0.5, y + 0.5), list, 2 * radius, jitterAt(x, y), {});
-                     // Hardly seen pixels fade to the mean colour, so that filtering makes no fringe.
-                     const float alpha = 1 - seen.open;
-                     const glm::vec3 color =
-                         light::srgbFromLinear((seen.radiance + 0.004f * unseen) / (alpha + 0.004f));
-                     const size_t at =
-                         static_cast<size_t>(row * options.tilePixels + y) * static_cast<size_t>(side) +
-                         static_cast<size_t>(column * options.tilePixels + x);
-                     for (int c = 0; c < 3; ++c)
-                       atlas.color.bytes[4 * at + static_cast<size_t>(c)] = toByte(color[c]);
-                     atlas.color.bytes[4 * at + 3] = toByte(alpha);
-                     if (alpha > 0.002f)
-                       atlas.depth[at] = static_cast<std::uint16_t>(
-                           std::lround(65535 * std::clamp(seen.distance / (2 * radius), 0.0, 1.0)));
-                   });
+      forEachPixel(
+          volume, view.width, view.height, "impostor", {}, [&](int x, int y, std::span<const Blob> blobs) {
+            const Gathered seen =
+                volume.along(view.rayAt(x + 0.5, y + 0.5), blobs, 2 * radius, jitterAt(x, y), {});
+            // Hardly seen pixels fade to the mean colour, so that filtering makes no fringe.
+            const float alpha = 1 - seen.open;
+            const glm::vec3 color =
+                light::srgbFromLinear((seen.radiance + 0.004f * unseen) / (alpha + 0.004f));
+            const size_t at = static_cast<size_t>(row * options.tilePixels + y) * static_cast<size_t>(side) +
+                              static_cast<size_t>(column * options.tilePixels + x);
+            for (int c = 0; c < 3; ++c) atlas.color.bytes[4 * at + static_cast<size_t>(c)] = toByte(color[c]);
+            atlas.color.bytes[4 * at + 3] = toByte(alpha);
+            if (alpha > 0.002f)
+              atlas.depth[at] = static_cast<std::uint16_t>(
+                  std::lround(65535 * std::clamp(seen.distance / (2 * radius), 0.0, 1.0)));
+          });
     }
   progress.step("impostor", 1);
   return atlas;

@@ -142,23 +142,23 @@ float March::lightAt(const glm::vec3& point, float scale, float shortest) const 
   return glm::mix(kMeanLight, glm::mix(1.0f, sun, options_.sunShare), seen);
 }
 
-Gathered March::run(std::span<const std::uint32_t> list, float far, float jitter) {
+Gathered March::run(float far, float jitter) {
   Gathered out;
   float distance = 0, weight = 0, step = 0, light = 1, unlit = 1;
-  size_t next = 0;
+  std::uint32_t next = 0;
   int samples = 0;
   while (distance < far && out.open > kOpaque && samples < kMostSamples) {
     const auto meetUntil = [&](float there) {
-      while (next < list.size() && blobs_[list[next]].enter <= there) meet(list[next++], distance);
+      while (next < blobs_.size() && blobs_[next].enter <= there) meet(next++, distance);
     };
     meetUntil(distance);
     std::erase_if(crossings_, [&](const Crossing& crossing) { return crossing.end <= distance; });
     while (!waiting_.empty() && waiting_.front().start <= distance) beginNext();
     if (crossings_.empty()) {
       // Nothing here: on to where something begins.
-      if (waiting_.empty() && next == list.size()) break;
+      if (waiting_.empty() && next == blobs_.size()) break;
       distance = std::min(waiting_.empty() ? 1e30f : waiting_.front().start,
-                          next < list.size() ? std::max(blobs_[list[next]].enter, distance) : 1e30f);
+                          next < blobs_.size() ? std::max(blobs_[next].enter, distance) : 1e30f);
       step = 0;
       continue;
     }

@@ -13,10 +13,11 @@ class HeapNoise;
 /// One ray through a volume, from near to far.
 class March {
  public:
+  /// `blobs` by `enter`.
   March(std::span<const Blob> blobs, const View& view, const VolumeOptions& options, const Ray& ray,
         const Haze& haze);
 
-  Gathered run(std::span<const std::uint32_t> list, float far, float jitter);
+  Gathered run(float far, float jitter);
 
  private:
   /// A blob as the ray crosses it: a Gaussian of the distance.

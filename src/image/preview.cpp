@@ -17,11 +17,11 @@ namespace {
 constexpr int kCoarser = 6;
 
 glm::vec3 pixelColor(const Volume& volume, const Backdrop& backdrop, const View& view,
-                     std::span<const std::uint32_t> list, int x, int y) {
+                     std::span<const Blob> blobs, int x, int y) {
   const Ray ray = view.rayAt(x + 0.5, y + 0.5);
   const double hidden = backdrop.distanceToTerrain(ray.origin, ray.direction);
   const Haze haze = backdrop.hazeAlong(ray.origin, ray.direction);
-  const Gathered clouds = volume.along(ray, list, hidden, jitterAt(x, y), haze);
+  const Gathered clouds = volume.along(ray, blobs, hidden, jitterAt(x, y), haze);
   // Thin ice sends less of the sun sideways than the many scatterings of a thick cloud do.
   glm::vec3 color = clouds.radiance * (1.0f - 0.3f * clouds.ice / (clouds.ice + clouds.water + 1e-6f) *
                                                   std::exp(-0.7f * (clouds.ice + clouds.water)));
@@ -35,8 +35,8 @@ Picture renderView(std::span<const Splat> splats, const View& view, const Backdr
   const Volume volume(splats, view, options);
   Picture picture(view.width, view.height);
   forEachPixel(volume, view.width, view.height, stage, progress,
-               [&](int x, int y, std::span<const std::uint32_t> list) {
-                 picture.at(x, y) = pixelColor(volume, backdrop, view, list, x, y);
+               [&](int x, int y, std::span<const Blob> blobs) {
+                 picture.at(x, y) = pixelColor(volume, backdrop, view, blobs, x, y);
                });
   return picture;
 }

@@ -10,10 +10,10 @@
 
 namespace cloudgen::image {
 
-/// Calls `draw(x, y, list)` once for every pixel of a view, tile by tile on several threads, with the list of
-/// blobs that its ray may meet.
+/// Calls `draw(x, y, blobs)` once for every pixel of a view, tile by tile on several threads, with the blobs
+/// that its ray may meet.
 void forEachPixel(const Volume& volume, int width, int height, std::string_view stage,
                   const base::Progress& progress,
-                  const std::function<void(int x, int y, std::span<const std::uint32_t> list)>& draw);
+                  const std::function<void(int x, int y, std::span<const Blob> blobs)>& draw);
 
 }  // namespace cloudgen::image

@@ -130,10 +130,16 @@ float jitterAt(int x, int y) {
   return static_cast<float>(value - std::floor(value));
 }
 
-Gathered Volume::along(const Ray& ray, std::span<const std::uint32_t> list, double farMeters, float jitter,
+std::vector<Blob> Volume::blobsOf(std::span<const std::uint32_t> list) const {
+  std::vector<Blob> blobs;
+  blobs.reserve(list.size());
+  for (const std::uint32_t i : list) blobs.push_back(blobs_[i]);
+  return blobs;
+}
+
+Gathered Volume::along(const Ray& ray, std::span<const Blob> blobs, double farMeters, float jitter,
                        const Haze& haze) const {
-  March march(blobs_, view_, options_, ray, haze);
-  return march.run(list, static_cast<float>(std::min(farMeters, 1e7)), jitter);
+  return March(blobs, view_, options_, ray, haze).run(static_cast<float>(std::min(farMeters, 1e7)), jitter);
 }
 
 }  // namespace cloudgen::image

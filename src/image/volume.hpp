@@ -65,8 +65,14 @@ class Volume {
   std::vector<std::uint32_t> listFor(int left, int top, int width, int height,
                                      std::span<const std::uint32_t> among) const;
 
-  /// Along a ray of the view as far as `farMeters`. `jitter` 0..1 shifts the samples.
-  Gathered along(const Ray& ray, std::span<const std::uint32_t> list, double farMeters, float jitter,
+  /// The blobs of a list side by side: rays that are near each other read them again and again.
+  std::vector<Blob> blobsOf(std::span<const std::uint32_t> list) const;
+  /// All of them, by `enter`.
+  std::span<const Blob> blobs() const { return blobs_; }
+
+  /// Along a ray of the view as far as `farMeters` through blobs that are sorted by `enter`. `jitter` 0..1
+  /// shifts the samples.
+  Gathered along(const Ray& ray, std::span<const Blob> blobs, double farMeters, float jitter,
                  const Haze& haze) const;
 
  private:

@@ -89,11 +89,10 @@ TEST(Impostor, AViewIsAsOpaqueAndAsBrightAsTheCloudDrawnDirectly) {
                                    atlas.radiusMeters, atlas.radiusMeters, kFiner * kPixels);
     const Volume volume(splats, view, {true, light::sunFrom(200, 40).direction});
     std::vector<glm::dvec2> direct(static_cast<std::size_t>(view.width * view.height));
-    forEachPixel(
-        volume, view.width, view.height, "", {}, [&](int x, int y, std::span<const std::uint32_t> list) {
-          const Gathered seen = volume.along(view.rayAt(x + 0.5, y + 0.5), list, 1e6, jitterAt(x, y), {});
-          direct[static_cast<std::size_t>(y * view.width + x)] = {1 - seen.open, seen.radiance.y};
-        });
+    forEachPixel(volume, view.width, view.height, "", {}, [&](int x, int y, std::span<const Blob> blobs) {
+      const Gathered seen = volume.along(view.rayAt(x + 0.5, y + 0.5), blobs, 1e6, jitterAt(x, y), {});
+      direct[static_cast<std::size_t>(y * view.width + x)] = {1 - seen.open, seen.radiance.y};
+    });
     glm::dvec2 drawn(0), held(0);  // alpha, alpha x brightness
     for (const glm::dvec2& pixel : direct) drawn += pixel / static_cast<double>(direct.size());
     for (int y = 0; y < kPixels; ++y)

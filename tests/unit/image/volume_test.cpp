@@ -14,7 +14,7 @@ View straightAhead() { return viewOf({{0, 0, 0}, {0, 0, -1000}, 45, 64, 64}); }
 Gathered through(const std::vector<Splat>& splats, const glm::dvec3& direction, bool detail,
                  float jitter = 0.5f, double far = 1e6) {
   const Volume volume(splats, straightAhead(), {.detail = detail});
-  return volume.along({glm::dvec3(0), glm::normalize(direction)}, volume.all(), far, jitter, {});
+  return volume.along({glm::dvec3(0), glm::normalize(direction)}, volume.blobs(), far, jitter, {});
 }
 
 Splat grey(const glm::vec3& center, const glm::vec3& sigma, float opacity) {
@@ -77,7 +77,7 @@ TEST(Volume, PuffsThinnerThanAPixelKeepTheirLight) {
   double depth = 0;
   for (int y = 24; y < 40; ++y)
     for (int x = 24; x < 40; ++x) {
-      const Gathered seen = volume.along(view.rayAt(x + 0.5, y + 0.5), volume.all(), 1e6, 0.5f, {});
+      const Gathered seen = volume.along(view.rayAt(x + 0.5, y + 0.5), volume.blobs(), 1e6, 0.5f, {});
       depth += seen.water + seen.ice;
     }
   const double area = std::pow(view.pixelMeters(distance), 2.0);
@@ -107,12 +107,12 @@ TEST(Volume, TheListOfABoxHoldsWhateverItsRaysMeet) {
   const Volume volume(splats, view, {.detail = false});
   for (int top = 0; top < 64; top += 8)
     for (int left = 0; left < 64; left += 8) {
-      const auto list = volume.listFor(left, top, 8, 8, volume.all());
+      const auto list = volume.blobsOf(volume.listFor(left, top, 8, 8, volume.all()));
       EXPECT_LT(list.size(), splats.size());
       for (const int corner : {0, 7}) {
         const Ray ray = view.rayAt(left + corner + 0.5, top + corner + 0.5);
         EXPECT_EQ(volume.along(ray, list, 1e6, 0.5f, {}).open,
-                  volume.along(ray, volume.all(), 1e6, 0.5f, {}).open);
+                  volume.along(ray, volume.blobs(), 1e6, 0.5f, {}).open);
       }
     }
 }
