@@ -18,6 +18,7 @@ namespace {
 struct PreviewLine {
   std::string input, output, view = "horizon", size = "960x540";
   int threads = 0;
+  bool draft = false;
 };
 
 /// The picture as viewers draw it: the harmonics of degree 1 hold what is added towards the sun.
@@ -96,7 +97,10 @@ int preview(const PreviewLine& line, const Terminal& terminal) {
     throw base::InputError(report.string(), std::string("is not a report of cloudgen (") + error.what() + ")",
                            "build the scene again");
   }
-  image::writePng(line.output, image::render(splats, camera, surroundings, terminal.progress()));
+  image::RenderOptions options{.detail = !line.draft};
+  // Something to look at while the rest is drawn; the file is replaced as a whole.
+  options.coarse = [&](const image::Picture& picture) { image::writePng(line.output, picture); };
+  image::writePng(line.output, image::render(splats, camera, surroundings, options, terminal.progress()));
   terminal.say(fmt::format("{}: {} splats, {}x{}", line.output, splats.size(), width, height));
   return 0;
 }
@@ -111,6 +115,7 @@ std::function<int()> setupPreview(CLI::App& options, const Terminal& terminal) {
       .add_option("--view", line->view, "top, ground, horizon or EYE:TARGET as lon,lat,height:lon,lat,height")
       ->capture_default_str();
   options.add_option("--size", line->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
+  options.add_flag("--draft", line->draft, "smooth puffs, without the finer detail: faster");
   options.add_option("--threads", line->threads, "worker threads (0: all cores)")->check(CLI::Range(0, 1024));
   return [line, &terminal] { return preview(*line, terminal); };
 }

@@ -9,15 +9,18 @@ namespace cloudgen::cli {
 
 std::function<int()> setupTextures(CLI::App& options, const Terminal& terminal) {
   const auto folder = std::make_shared<std::string>();
+  const auto plain = std::make_shared<bool>(false);
   options.add_option("-o,--output", *folder, "the folder to write the sprite set into (made if absent)")
       ->required();
-  return [folder, &terminal] {
+  options.add_flag("--no-maps", *plain, "only the sprites, without normal and six-way light maps");
+  return [folder, plain, &terminal] {
     std::error_code error;
     std::filesystem::create_directories(*folder, error);
     if (error)
       throw base::OutputError(*folder, "cannot be made (" + error.message() + ")", "choose another -o");
-    image::writeSpriteSet(*folder, terminal.progress());
-    terminal.say(fmt::format("wrote {} sprite atlases and manifest.json to {}", base::kGenusCount, *folder));
+    image::writeSpriteSet(*folder, !*plain, terminal.progress());
+    terminal.say(fmt::format("wrote {} sprite atlases{} and manifest.json to {}", base::kGenusCount,
+                             *plain ? "" : " with maps", *folder));
     return 0;
   };
 }

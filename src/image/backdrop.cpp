@@ -8,18 +8,19 @@
 #include <limits>
 
 #include "base/noise.hpp"
-#include "light/color.hpp"
+#include "image/sun_glare.hpp"
 #include "light/relief.hpp"
 
 namespace cloudgen::image {
 namespace {
 
-constexpr double kHazeHeightMeters = 2200, kHazeLengthMeters = 60000;
+constexpr double kHazeHeightMeters = 2200, kHazeLengthMeters = 42000;
 
 }  // namespace
 
-Backdrop::Backdrop(std::span<const Splat> splats, const Surroundings& surroundings)
-    : surroundings_(surroundings) {
+Backdrop::Backdrop(std::span<const Splat> splats, const Surroundings& surroundings, const glm::dvec3& eye)
+    : surroundings_(surroundings),
+      atmosphere_(surroundings.sun, surroundings.sky, eye.y - surroundings.groundHeightMeters) {
   if (!surroundings.terrain.empty()) summit_ = surroundings.terrain.highest() + 1.0;
   if (splats.empty()) return;
   // The shadow falls along the sun; low suns are taken at 8 degrees so that it stays on the map.
@@ -29,16 +30,17 @@ Backdrop::Backdrop(std::span<const Splat> splats, const Surroundings& surroundin
     const double fall = (splat.center.y - surroundings.groundHeightMeters) / sun.y;
     return glm::dvec2(splat.center.x - sun.x * fall, splat.center.z - sun.z * fall);
   };
+  constexpr double kShadowReach = 3.0;  // deviations: nothing is seen to be cut off
   glm::dvec2 lower(1e300), upper(-1e300);
   for (const Splat& splat : splats) {
-    lower = glm::min(lower, footOf(splat));
-    upper = glm::max(upper, footOf(splat));
+    const double reach = kShadowReach * std::max(splat.sigma.x, splat.sigma.z);
+    lower = glm::min(lower, footOf(splat) - reach);
+    upper = glm::max(upper, footOf(splat) + reach);
   }
   side_ = 1024;
-  const double margin = 0.02 * std::max(upper.x - lower.x, upper.y - lower.y) + 500;
-  cell_ = (std::max(upper.x - lower.x, upper.y - lower.y) + 2 * margin) / side_;
-  originX_ = lower.x - margin;
-  originZ_ = lower.y - margin;
+  cell_ = (std::max(upper.x - lower.x, upper.y - lower.y) + 1000) / (side_ - 8);
+  originX_ = lower.x - 4 * cell_;
+  originZ_ = lower.y - 4 * cell_;
   shadowDepth_.assign(static_cast<size_t>(side_) * side_, 0.0f);
   for (const Splat& splat : splats) {
     const glm::dvec2 foot = footOf(splat);
@@ -48,10 +50,10 @@ Backdrop::Backdrop(std::span<const Splat> splats, const Surroundings& surroundin
     const auto cellOf = [&](double value, double origin) {
       return static_cast<int>((value - origin) / cell_);
     };
-    for (int z = std::max(0, cellOf(foot.y - 2 * radius, originZ_));
-         z <= std::min(side_ - 1, cellOf(foot.y + 2 * radius, originZ_)); ++z)
-      for (int x = std::max(0, cellOf(foot.x - 2 * radius, originX_));
-           x <= std::min(side_ - 1, cellOf(foot.x + 2 * radius, originX_)); ++x) {
+    for (int z = std::max(0, cellOf(foot.y - kShadowReach * radius, originZ_));
+         z <= std::min(side_ - 1, cellOf(foot.y + kShadowReach * radius, originZ_)); ++z)
+      for (int x = std::max(0, cellOf(foot.x - kShadowReach * radius, originX_));
+           x <= std::min(side_ - 1, cellOf(foot.x + kShadowReach * radius, originX_)); ++x) {
         const double dx = originX_ + (x + 0.5) * cell_ - foot.x, dz = originZ_ + (z + 0.5) * cell_ - foot.y;
         shadowDepth_[static_cast<size_t>(z) * side_ + x] +=
             depth * static_cast<float>(std::exp(-0.5 * (dx * dx + dz * dz) / (radius * radius)));
@@ -69,29 +71,16 @@ float Backdrop::shadowAt(double x, double z) const {
   return glm::mix(glm::mix(row[0], row[1], fu), glm::mix(row[side_], row[side_ + 1], fu), fv);
 }
 
-glm::vec3 Backdrop::skyColor(const glm::dvec3& direction) const {
-  const light::Sky& sky = surroundings_.sky;
-  const float up = static_cast<float>(std::max(0.0, direction.y));
-  glm::vec3 color = glm::mix(sky.horizon, sky.zenith, 1.0f - std::exp(-4.5f * up));
-  const float towardsSun = static_cast<float>(glm::dot(direction, glm::dvec3(surroundings_.sun.direction)));
-  if (towardsSun > 0)
-    color +=
-        surroundings_.sun.color * (0.10f * std::pow(towardsSun, 8.0f) + 0.22f * std::pow(towardsSun, 90.0f) +
-                                   3.0f * std::pow(towardsSun, 12000.0f));
-  return color;
+Haze Backdrop::hazeAlong(const glm::dvec3& eye, const glm::dvec3& direction) const {
+  return {atmosphere_.sky(
+              glm::normalize(glm::dvec3(direction.x, std::max(0.0, 0.15 * direction.y), direction.z))),
+          std::exp(-std::max(0.0, eye.y) / kHazeHeightMeters) / kHazeLengthMeters, kHazeHeightMeters};
 }
 
-glm::vec3 Backdrop::hazeColor(const glm::dvec3& direction) const {
-  return light::srgbFromLinear(
-      skyColor(glm::normalize(glm::dvec3(direction.x, std::max(0.02, 0.15 * direction.y), direction.z))));
-}
-
-float Backdrop::clarity(const glm::dvec3& eye, const glm::dvec3& point) const {
-  const double distance = glm::length(point - eye), rise = point.y - eye.y;
-  const double a = std::exp(-std::max(0.0, eye.y) / kHazeHeightMeters),
-               b = std::exp(-std::max(0.0, point.y) / kHazeHeightMeters);
-  const double mean = std::abs(rise) < 1.0 ? a : kHazeHeightMeters * (a - b) / rise;
-  return static_cast<float>(std::exp(-distance * std::max(0.0, mean) / kHazeLengthMeters));
+glm::vec3 Backdrop::sunlightThrough(const glm::dvec3& direction, float water, float ice) const {
+  if (surroundings_.sun.elevationDegrees < -0.5) return glm::vec3(0);
+  return atmosphere_.sunlight() *
+         glareAndHalo(glm::dot(direction, glm::dvec3(surroundings_.sun.direction)), water, ice);
 }
 
 double Backdrop::distanceToTerrain(const glm::dvec3& eye, const glm::dvec3& direction) const {
@@ -145,10 +134,16 @@ glm::vec3 Backdrop::groundColor(const glm::dvec3& point, double distance) const 
   // Patches of the ground fade where a pixel would hold many of them.
   const double seen = 1.0 / (1.0 + std::pow(distance / 150000.0, 2.0));
   const base::HeightField& terrain = surroundings_.terrain;
-  const bool relief = !terrain.empty() && terrain.covers(point.x, point.z);
-  glm::vec3 ground =
-      relief ? light::reliefColorAt(terrain, point.x, point.z, surroundings_.sun, surroundings_.sky)
-             : surroundings_.sky.ground;
+  glm::vec3 ground = surroundings_.sky.ground;
+  if (!terrain.empty() && terrain.covers(point.x, point.z)) {
+    // The relief comes in gradually from the lattice's border, so that no line is seen there.
+    const double width = (terrain.columns - 1) * terrain.step.x, depth = (terrain.rows - 1) * terrain.step.y;
+    const double x = (point.x - terrain.origin.x) / width, z = (point.z - terrain.origin.y) / depth;
+    const double inside = std::min({x, 1 - x, z, 1 - z});
+    ground = glm::mix(ground,
+                      light::reliefColorAt(terrain, point.x, point.z, surroundings_.sun, surroundings_.sky),
+                      static_cast<float>(base::smoothStep(0.0, 0.08, inside)));
+  }
   ground *= static_cast<float>(1.0 + 0.45 * seen * coarse + 0.2 * fine);
   ground = glm::mix(ground, glm::vec3(1.2f, 1.05f, 0.85f) * ground,
                     static_cast<float>(seen * base::smoothStep(-0.1, 0.5, coarse)));
@@ -160,15 +155,15 @@ glm::vec3 Backdrop::groundColor(const glm::dvec3& point, double distance) const 
   return ground * (0.38f + 0.72f * lit);
 }
 
-glm::vec3 Backdrop::colorAlong(const glm::dvec3& eye, const glm::dvec3& direction) const {
+glm::vec3 Backdrop::radianceAlong(const glm::dvec3& eye, const glm::dvec3& direction) const {
   double distance = distanceToTerrain(eye, direction);
   if (!std::isfinite(distance)) {
-    if (direction.y > -1e-4) return light::srgbFromLinear(skyColor(direction));
+    if (direction.y > -1e-4) return atmosphere_.sky(direction);
     distance = (eye.y - surroundings_.groundHeightMeters) / -direction.y;
   }
-  const glm::dvec3 point = eye + direction * distance;
-  return glm::mix(hazeColor(direction), light::srgbFromLinear(groundColor(point, distance)),
-                  clarity(eye, point));
+  const Haze haze = hazeAlong(eye, direction);
+  return glm::mix(haze.color, groundColor(eye + direction * distance, distance),
+                  clarityThrough(haze, direction.y, static_cast<float>(distance)));
 }
 
 }  // namespace cloudgen::image

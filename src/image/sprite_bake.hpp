@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+
 #include "base/genus.hpp"
 #include "base/progress.hpp"
 #include "image/picture.hpp"
+#include "image/sprite_maps.hpp"
 
 namespace cloudgen::image {
 
@@ -14,9 +17,16 @@ inline constexpr int kSpriteTilePixels = 128, kSpriteTilesAcross = 4;
 /// grey one modulate them. Each tile is a small cloud of noise, lit from above and seen from the side: alpha
 /// falls off like a Gaussian of 2.3 deviations to the edge and is zero on the tile's border; colour is
 /// defined under zero alpha too, so that filtering makes no dark fringe.
-ByteImage bakeSprites(base::Genus genus);
+/// With maps, for engines that light sprites themselves: see SpriteMaps.
+struct SpriteSheets {
+  ByteImage color;
+  std::optional<SpriteMaps> maps;
+};
+SpriteSheets bakeSprites(base::Genus genus, bool withMaps);
 
-/// Writes every genus's atlas and manifest.json into a folder that exists.
-void writeSpriteSet(const std::filesystem::path& folder, const base::Progress& progress);
+/// Writes every genus's atlas and manifest.json into a folder that exists; with maps also GENUS.normal.png,
+/// GENUS.sixway_a.png and GENUS.sixway_b.png. The set in textures/ is the one without: scene files name no
+/// maps.
+void writeSpriteSet(const std::filesystem::path& folder, bool withMaps, const base::Progress& progress);
 
 }  // namespace cloudgen::image

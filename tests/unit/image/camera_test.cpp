@@ -66,7 +66,7 @@ TEST(Camera, AClearSkyHasViewsToo) {
   for (const char* view : {"top", "ground", "horizon"}) {
     const Camera camera = cameraFor(view, {}, morning(), 64, 36);
     EXPECT_GT(glm::distance(camera.eye, camera.target), 1);
-    for (const glm::vec3& pixel : render({}, camera, morning(), {}).pixels)
+    for (const glm::vec3& pixel : render({}, camera, morning(), {}, {}).pixels)
       ASSERT_TRUE(std::isfinite(pixel.x));
   }
 }

@@ -7,6 +7,8 @@
 #include "base/random.hpp"
 #include "base/thread.hpp"
 #include "image/backdrop.hpp"
+#include "image/tone.hpp"
+#include "light/color.hpp"
 
 namespace cloudgen::image {
 namespace {
@@ -32,7 +34,9 @@ Splat red(const glm::vec3& center, float sigma = 20) {
   return splat;
 }
 
-Picture drawn(const std::vector<Splat>& splats) { return render(splats, northwards(), noon(), {}); }
+Picture drawn(const std::vector<Splat>& splats) {
+  return render(splats, northwards(), noon(), {.detail = false}, {});
+}
 
 struct Pixel {
   int x = 0, y = 0;
@@ -50,10 +54,12 @@ Pixel mostChanged(const Picture& a, const Picture& b) {
 
 TEST(Preview, AnEmptySkyIsTheBackdrop) {
   const Picture picture = drawn({});
-  const Backdrop backdrop({}, noon());
+  const Backdrop backdrop({}, noon(), {0, 1000, 0});
   for (const Pixel pixel : {Pixel{0, 0}, Pixel{100, 20}, Pixel{199, 99}, Pixel{50, 80}}) {
     const glm::dvec3 ray((pixel.x + 0.5 - 100) / kFocalPixels, (50 - pixel.y - 0.5) / kFocalPixels, -1);
-    const glm::vec3 expected = backdrop.colorAlong({0, 1000, 0}, glm::normalize(ray));
+    const glm::vec3 expected =
+        displayed(backdrop.radianceAlong({0, 1000, 0}, glm::normalize(ray)) +
+                  (ray.y > 0 ? backdrop.sunlightThrough(glm::normalize(ray), 0, 0) : glm::vec3(0)));
     EXPECT_LT(glm::distance(picture.at(pixel.x, pixel.y), expected), 1e-4f);
   }
 }
@@ -62,7 +68,9 @@ TEST(Preview, ASplatLandsWhereThePerspectivePutsIt) {
   const Picture empty = drawn({});
   for (const glm::vec3& center :
        {glm::vec3(100, 1050, -1000), glm::vec3(-300, 1200, -900), glm::vec3(0, 1060, -700)}) {
-    const Pixel hit = mostChanged(drawn({red(center)}), empty);
+    Splat splat = red(center);
+    splat.opacity = 0.5f;
+    const Pixel hit = mostChanged(drawn({splat}), empty);
     EXPECT_NEAR(hit.x + 0.5, 100 + kFocalPixels * center.x / -center.z, 1.01);
     EXPECT_NEAR(hit.y + 0.5, 50 - kFocalPixels * (center.y - 1000) / -center.z, 1.01);
   }
@@ -92,17 +100,35 @@ TEST(Preview, TheNearerHidesTheFartherInAnyOrder) {
 }
 
 TEST(Preview, WhatIsBehindTheCameraIsNotSeen) {
-  const Picture empty = drawn({}), picture = drawn({red({0, 1500, 1000}), red({0, 1000, 0.5f})});
+  const Picture empty = drawn({}), picture = drawn({red({0, 1500, 1000}), red({0, 1000, 100})});
   for (int y = 0; y < 45; ++y)
     for (int x = 0; x < kWidth; ++x) ASSERT_EQ(picture.at(x, y), empty.at(x, y));
 }
 
+TEST(Preview, ACoarsePictureComesFirst) {
+  int calls = 0;
+  RenderOptions options{.detail = false};
+  options.coarse = [&](const Picture& coarse) {
+    ++calls;
+    EXPECT_EQ(coarse.width, kWidth);
+    EXPECT_EQ(coarse.height, kHeight);
+  };
+  const auto cloud = std::vector{red({0, 1100, -1000}, 100)};
+  const Picture with = render(cloud, northwards(), noon(), options, {});
+  EXPECT_EQ(calls, 1);
+  EXPECT_EQ(with.pixels, drawn(cloud).pixels);
+}
+
 TEST(Preview, FaintSplatsLetTheSkyThrough) {
-  Splat faint = red({0, 1100, -1000}, 60);
+  // Below the tone curve's knee colours mix in proportion.
+  Splat faint = red({0, 1361, -1000}, 60), opaque = faint;
+  faint.color = opaque.color = {0.6f, 0.2f, 0.2f};
   faint.opacity = 0.5f;
-  const glm::vec3 sky = drawn({}).at(100, 38), full = drawn({red({0, 1100, -1000}, 60)}).at(100, 38),
-                  half = drawn({faint}).at(100, 38);
-  EXPECT_LT(glm::distance(half, 0.5f * (sky + full)), 0.03f);
+  const auto seen = [](const std::vector<Splat>& splats) {
+    return light::linearFromSrgb(drawn(splats).at(100, 6));
+  };
+  const glm::vec3 sky = seen({}), full = seen({opaque}), half = seen({faint});
+  EXPECT_LT(glm::distance(half, 0.5f * (sky + full)), 0.04f);
 }
 
 std::vector<Splat> field() {
@@ -121,7 +147,7 @@ std::vector<Splat> field() {
 TEST(Preview, TheSamePixelsForAnyNumberOfThreads) {
   const auto picture = [](int threads) {
     const base::ThreadLimit limit(threads);
-    return drawn(field()).pixels;
+    return render(field(), northwards(), noon(), {}, {}).pixels;
   };
   EXPECT_EQ(picture(1), picture(2));
 }
@@ -130,7 +156,7 @@ TEST(Preview, EveryPixelIsANumberEvenAmongTheClouds) {
   Camera inside = northwards();
   for (const double height : {0.0, 1500.0}) {
     inside.eye.y = height;
-    for (const glm::vec3& pixel : render(field(), inside, noon(), {}).pixels)
+    for (const glm::vec3& pixel : render(field(), inside, noon(), {}, {}).pixels)
       for (int c = 0; c < 3; ++c) ASSERT_TRUE(std::isfinite(pixel[c]) && pixel[c] >= 0 && pixel[c] < 1.2f);
   }
 }

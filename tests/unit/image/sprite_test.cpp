@@ -56,9 +56,42 @@ TEST(Sprites, TilesEndTransparentAndAreOpaqueInside) {
 
 TEST(Sprites, TheCommittedSetIsWhatIsBaked) {
   const ByteImage committed = test::readPng(textures() / "cumulus.png"),
-                  baked = bakeSprites(base::Genus::Cumulus);
+                  baked = bakeSprites(base::Genus::Cumulus, false).color;
   EXPECT_EQ(baked.channels, committed.channels);
-  EXPECT_TRUE(baked.bytes == committed.bytes) << "make the set again with: cloudgen textures -o textures";
+  EXPECT_TRUE(baked.bytes == committed.bytes)
+      << "make the set again with: cloudgen textures --no-maps -o textures";
+}
+
+TEST(Sprites, LightMapsBelongToTheSprite) {
+  const SpriteSheets sheets = bakeSprites(base::Genus::Cumulus, true);
+  ASSERT_TRUE(sheets.maps);
+  const SpriteMaps& maps = *sheets.maps;
+  // Mean over what is seen in the halves of a tile: upper - lower and right - left.
+  const auto leaning = [&](const ByteImage& image, int channel, bool sideways) {
+    double sum = 0, weight = 0;
+    for (int y = 0; y < kSpriteTilePixels; ++y)
+      for (int x = 0; x < kSpriteTilePixels; ++x) {
+        const int place = sideways ? x : kSpriteTilePixels - 1 - y;
+        const auto* pixel = image.bytes.data() + 4 * (y * image.width + x);
+        sum += (place < kSpriteTilePixels / 2 ? -1 : 1) * pixel[channel] * pixel[3];
+        weight += pixel[3];
+      }
+    return sum / weight;
+  };
+  EXPECT_GT(leaning(maps.sixwayA, 0, true), 10);
+  EXPECT_GT(leaning(maps.sixwayA, 1, false), 10);
+  EXPECT_LT(leaning(maps.sixwayB, 0, true), -10);
+  EXPECT_LT(leaning(maps.sixwayB, 1, false), -10);
+  EXPECT_GT(leaning(maps.normal, 0, true), 10);
+  EXPECT_GT(leaning(maps.normal, 1, false), 10);
+  double front = 0, back = 0;
+  for (std::size_t i = 0; i < sheets.color.bytes.size() / 2; ++i) {
+    ASSERT_EQ(maps.normal.bytes[4 * i + 3], sheets.color.bytes[2 * i + 1]);
+    ASSERT_GT(maps.normal.bytes[4 * i + 2], 120);  // towards the eye, under zero alpha too
+    front += maps.sixwayB.bytes[4 * i + 2] * sheets.color.bytes[2 * i + 1];
+    back += maps.sixwayA.bytes[4 * i + 2] * sheets.color.bytes[2 * i + 1];
+  }
+  EXPECT_GT(front, 1.1 * back);
 }
 
 TEST(Sprites, TextureBoxesLieInsideTheirTiles) {
