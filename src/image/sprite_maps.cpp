@@ -5,9 +5,10 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 
 #include "image/sprite_volume.hpp"
-#include "light/shade.hpp"
+#include "light/octaves.hpp"
 
 namespace cloudgen::image {
 namespace {
@@ -74,7 +75,7 @@ std::vector<MapTexel> mapsFromTheSide(const std::vector<float>& volume) {
         gradient.z = std::abs(gradient.z);
         normal += absorbed * through * gradient / (glm::length(gradient) + 0.02f);
         for (size_t side = 0; side < 6; ++side)
-          light[side] += absorbed * light::scatteredShare(2.4f * depths[side][cell]);
+          light[side] += absorbed * light::transmitted(4.3f * depths[side][cell]);
         weight += absorbed;
         through -= absorbed;
       }

@@ -24,7 +24,7 @@ struct MapTexel {
 };
 
 /// A volume of spriteVolume as seen along z, kSpriteVolume^2 texels, rows from below. Each light thins by the
-/// optical depth on its way in; sampled by orders of scattering as light::scatteredShare.
+/// optical depth on its way in; sampled by orders of scattering as light::transmitted.
 std::vector<MapTexel> mapsFromTheSide(const std::vector<float>& volume);
 
 /// Writes the texel at (u, v) of 0..1, v upwards, into pixel (x, y) of the maps.
