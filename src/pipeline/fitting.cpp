@@ -136,10 +136,13 @@ class Fitting {
            std::max(alone, coveredSquareMeters(recipe, 1));
   }
 
-  /// A narrower heap is less deep, too: it would be a column.
+  /// A narrower heap is less deep, too, where it would else be a column.
   static double depthAt(const shape::Recipe& recipe, const Candidate& candidate, double share) {
-    return recipe.form == shape::Form::Heap && !recipe.sheet ? candidate.depthMeters * std::max(0.3, share)
-                                                             : candidate.depthMeters;
+    constexpr double kSlender = 0.9;  ///< depth over width
+    if (recipe.form != shape::Form::Heap || recipe.sheet) return candidate.depthMeters;
+    const double asSlender = kSlender * share * candidate.widthMeters;
+    return std::min<double>(candidate.depthMeters,
+                            std::max(asSlender, candidate.depthMeters * std::max(0.3, share)));
   }
 
   /// Sheets and towers are made narrower only so far, or they would be something else.

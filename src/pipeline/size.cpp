@@ -36,8 +36,13 @@ CloudSize sizeOf(const field::Layer& layer, std::uint32_t ordinal, double layerD
     base::RandomStream stream(options.seed, layer.cell, base::Purpose::CloudSize, itemOf(layer, ordinal));
     const double relative = relativeWidth(stream.uniform()) / kNormal;
     size.widthMeters *= relative;
-    if (recipe.form == shape::Form::Heap)
-      size.depthMeters *= std::clamp(0.35 + 0.45 * relative + 0.12 * stream.gaussian(), 0.25, 1.0);
+    if (recipe.form == shape::Form::Heap) {
+      const double share = std::clamp(0.35 + 0.45 * relative + 0.12 * stream.gaussian(), 0.25, 1.0);
+      // One that is enlarged stands for several, of which the deepest reach the layer's top.
+      const double enlargement =
+          std::max(1.0, meanWidthMeters / naturalWidthMeters(recipe, layerDepthMeters));
+      size.depthMeters *= 1 - (1 - share) / enlargement;
+    }
   }
   size.widthMeters = drawnWidthMeters(size.depthMeters, size.widthMeters);
   return size;

@@ -286,7 +286,7 @@ class CloudWalk {
 
   /// Clouds as crossed cards, one Shape a genus, in the scene frame.
   void cards(std::span<const std::uint32_t> instances) {
-    const bool inParts = 6 * scene_.instances.size() <= kFarPuffs;
+    const bool inParts = 5 * scene_.instances.size() <= kFarPuffs;
     std::map<base::Genus, std::vector<LitPuff>> puffs;
     for (const std::uint32_t i : instances) {
       const scene::Instance& instance = scene_.instances[i];

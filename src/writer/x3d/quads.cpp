@@ -15,19 +15,28 @@ namespace {
 
 constexpr float kSpriteReach = 2.2f;  ///< half-side of a sprite, in its standard deviations
 /// Quads are wider than their puffs, or what a sprite's border cuts off would be missing from the cover.
-constexpr float kWidening = 1.12f, kReach = kWidening * kSpriteReach;
+constexpr float kWidening = 1.12f;
 constexpr float kFaintest = 0.005f;     ///< opacity below which a quad is left out
 constexpr float kSmallestPlane = 0.7f;  ///< area of a plane, to the largest, below which it is left out
-/// What a quad shows of an optical depth that its centre has: the sprite's Gaussian within its border,
-/// erf(2.2 / sqrt 2) squared, on the wider quad.
-constexpr float kDrawnShare = 0.9451f * kWidening * kWidening;
+/// Of the sprite's Gaussian within its border: erf(2.2 / sqrt 2) squared.
+constexpr float kWithinBorder = 0.9451f;
 /// Opacity of upright planes: edge-on, from above, they show as needles.
 constexpr float kUprightShare = 0.7f;
 
-float opacityOf(float opticalDepth) { return -std::expm1(-opticalDepth / kDrawnShare); }
+/// How much wider than its puff a quad is: dense puffs cover ground far out on their flanks.
+float wideningOf(float opticalDepth) {
+  constexpr float kCovering = 0.1f, kMost = 1.2f;
+  const float covers = std::sqrt(2 * std::log(std::max(1.0f, opticalDepth / kCovering)));
+  return kWidening * std::clamp(covers / (kWidening * kSpriteReach), 1.0f, kMost);
+}
 
-glm::vec4 colorOf(const LitPuff& lit, float opticalDepth) {
-  return glm::vec4(light::srgbFromLinear(lit.color), opacityOf(opticalDepth));
+/// Opacity of a quad that is so much wider than a puff of an optical depth through its centre.
+float opacityOf(float opticalDepth, float widening) {
+  return -std::expm1(-opticalDepth / (kWithinBorder * widening * widening));
+}
+
+glm::vec4 colorOf(const LitPuff& lit, float opticalDepth, float widening) {
+  return glm::vec4(light::srgbFromLinear(lit.color), opacityOf(opticalDepth, widening));
 }
 
 glm::mat3 covariance(const shape::Puff& puff) {
@@ -79,11 +88,12 @@ QuadMesh facingQuads(const std::vector<LitPuff>& puffs, const glm::vec3& origin,
     const auto axes = shownAxes(puff);
     // The quad turns: it shows the same from all sides, and from all sides all of the puff.
     const double area = 2 * std::numbers::pi * glm::length(axes[0]) * glm::length(axes[1]);
-    const glm::vec4 color =
-        colorOf(puffs[i], static_cast<float>(shape::extinctionArea(puff) / std::max(area, 1e-6)));
+    const auto opticalDepth = static_cast<float>(shape::extinctionArea(puff) / std::max(area, 1e-6));
+    const float widening = wideningOf(opticalDepth), reach = widening * kSpriteReach;
+    const glm::vec4 color = colorOf(puffs[i], opticalDepth, widening);
     if (color.a < kFaintest) continue;
     mesh.faces.push_back(static_cast<std::uint32_t>(2 * mesh.quads.size()));
-    mesh.quads.push_back({puff.center - origin, kReach * axes[0], kReach * axes[1],
+    mesh.quads.push_back({puff.center - origin, reach * axes[0], reach * axes[1],
                           atlas.textureBox(puff.sprite % atlas.tiles()), color});
   }
   return mesh;
@@ -101,13 +111,15 @@ QuadMesh crossedQuads(const std::vector<LitPuff>& puffs, const glm::vec3& origin
     for (int i = 0; i < 3; ++i) {
       const size_t plane = static_cast<size_t>(i);
       if (areas[plane] < kSmallestPlane * largest) continue;
-      glm::vec4 color = colorOf(lit, shape::centralOpticalDepth(lit.puff.extinctionPerMeter, s[i]));
+      const float opticalDepth = shape::centralOpticalDepth(lit.puff.extinctionPerMeter, s[i]);
+      const float widening = wideningOf(opticalDepth), reach = widening * kSpriteReach;
+      glm::vec4 color = colorOf(lit, opticalDepth, widening);
       if (std::abs(axes[i].y) < 0.5f) color.a *= kUprightShare;
       if (color.a < kFaintest) continue;
       int right = (i + 1) % 3, up = (i + 2) % 3;
       if (std::abs(axes[right].y) > std::abs(axes[up].y)) std::swap(right, up);
-      mesh.quads.push_back({lit.puff.center - origin, kReach * s[right] * axes[right],
-                            kReach * s[up] * axes[up], atlas.textureBox(lit.puff.sprite % atlas.tiles()),
+      mesh.quads.push_back({lit.puff.center - origin, reach * s[right] * axes[right],
+                            reach * s[up] * axes[up], atlas.textureBox(lit.puff.sprite % atlas.tiles()),
                             color});
     }
   }
