@@ -377,7 +377,7 @@ class Fitting {
   }
 
   void balanceOnce() {
-    constexpr double kMost = 3, kMostOfMany = 100;
+    constexpr double kMost = 3, kMostOfMany = 100, kMostOfThin = 1.15;
     const auto& layers = canvas_.layers();
     for (Filling& filling : fillings_)
       for (Taken& taken : filling.taken) {
@@ -394,10 +394,11 @@ class Fitting {
         const double most = filling.candidates.everyCell ? kMost : kMostOfMany;
         const double held =
             mostHeld(recipeOf(filling), filling.candidates.list[taken.candidate], taken.stamp);
-        // What is thin would no longer be seen if it gave any away.
+        // What is thin would no longer be seen if it gave much away.
         const bool thin = isThin(layerClassOf(layers_[filling.layer].opticalDepth()));
-        taken.next = std::min(held, std::clamp(taken.stamp.extinctionArea * wanted / whole,
-                                               thin ? taken.share : taken.share / most, taken.share * most));
+        taken.next =
+            std::min(held, std::clamp(taken.stamp.extinctionArea * wanted / whole,
+                                      taken.share / (thin ? kMostOfThin : most), taken.share * most));
       }
     for (Filling& filling : fillings_)
       for (Taken& taken : filling.taken)

@@ -109,6 +109,23 @@ TEST(Conservation, WhateverTheSeedAndTheBudget) {
       }
 }
 
+// A budget of a few puffs a cell: each still shows its own cover and optical depth.
+TEST(Conservation, FewPuffsACell) {
+  test::MadeSource source(10, 44, 0.2, 20, 20);
+  field::StatedLayer layer = layerOf(base::Genus::Stratus, 0);
+  for (std::uint32_t cell = 0; cell < source.grid().size(); ++cell) {
+    layer.cell = cell;
+    // Four hundred cells in soft waves of cover.
+    layer.coverFraction =
+        static_cast<float>(0.5 + 0.45 * std::sin(0.6 * (cell % 20)) * std::cos(0.5 * (cell / 20)));
+    source.layers.push_back(layer);
+  }
+  const Difference d = drawn(source, 12'000, 1);
+  EXPECT_LT(std::abs(d.coverBias), 0.01) << d;
+  EXPECT_LT(d.coverRmse, 0.08) << d;
+  EXPECT_LT(std::abs(d.opticalDepthBias), 0.02) << d;
+}
+
 TEST(Conservation, LayersOverlapByChance) {
   test::MadeSource source(10, 44, 0.8, 4, 4);
   field::StatedLayer low = layerOf(base::Genus::Stratocumulus, 0.5f),
@@ -152,8 +169,8 @@ TEST(Conservation, OfARealForecast) {
     depth += layer.fraction * layer.opticalDepth();
   }
   const Difference d = differenceOf(outcome.scene, source->grid(), wanted, 5000);
-  EXPECT_LT(std::abs(d.coverBias), 0.015) << d;
-  EXPECT_LT(d.coverRmse, 0.06) << d;
+  EXPECT_LT(std::abs(d.coverBias), 0.01) << d;
+  EXPECT_LT(d.coverRmse, 0.05) << d;
   EXPECT_LT(std::abs(d.opticalDepthBias), 0.02) << d;
   EXPECT_LT(static_cast<double>(scene::drawnPuffs(outcome.scene)), 1.5 * 200'000);
 }

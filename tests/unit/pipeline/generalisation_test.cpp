@@ -89,6 +89,18 @@ TEST(Generalisation, NoCloudsNeedNoBudget) {
   EXPECT_TRUE(made.table.clouds.empty());
 }
 
+// Clouds are told by ever fewer puffs before they grow wider than the cells that they have to tell apart.
+TEST(Generalisation, CellsAreToldApartAsLongAsPuffsCanBeSaved) {
+  test::MadeSource source(10, 46, 0.25, 8, 8);
+  source.cover(test::stratocumulusLayer());
+  const double cell = std::sqrt(field::cellAreaSquareMeters(source.grid(), 0));
+  for (const std::uint64_t budget : {5'000u, 100'000u}) {
+    const test::MadeTable made(source, test::usualOptions(budget));
+    EXPECT_LT(made.general.narrowestMeters, cell) << budget;
+    EXPECT_NEAR(drawn(made) / static_cast<double>(budget), 1, 0.4) << budget;
+  }
+}
+
 // The elements of a sheet are narrow enough to tell how much of a cell is covered.
 TEST(Generalisation, ElementsAreSmallerThanCells) {
   test::MadeSource source(10, 46, 0.5, 4, 4);
