@@ -15,8 +15,9 @@
 namespace cloudgen::pipeline {
 namespace {
 
-/// Thin cells that cover nearly all have no gaps between them; thick ones hide theirs.
-constexpr float kClosed = 0.9f;
+/// Thin cells that cover nearly all have no gaps between them; thick ones hide theirs, but where there is
+/// none.
+constexpr float kClosed = 0.9f, kWithoutGaps = 0.985f;
 constexpr int kClosedClass = 1;
 constexpr std::uint64_t kDither = 1ull << 62;  ///< the address of another draw
 constexpr double kAspectStep = 1.4142135623730951, kOpticalDepthStep = 2.0;
@@ -128,7 +129,8 @@ ArchetypeKey shapeKeyOf(const field::Layer& layer, std::uint32_t ordinal, double
   key.shearClass = form == shape::Form::Heap || form == shape::Form::Tower ? shearClassOf(layer) : 0;
   key.variant = stream.index(kVariants);
   key.layerClass = layerClassOf(layer.opticalDepth());
-  key.closed = form == shape::Form::Cells && layer.fraction >= kClosed && key.layerClass <= kClosedClass;
+  key.closed = form == shape::Form::Cells &&
+               layer.fraction >= (key.layerClass <= kClosedClass ? kClosed : kWithoutGaps);
   return key;
 }
 

@@ -26,10 +26,11 @@ Demand that(Trait trait, Comparison comparison, Border border) {
 Demand eitherOf(const Condition& one, const Condition& other) { return {{{one}, {other}}, {}, false}; }
 
 /// Small or broken: what covers little of its cell is heaped; so is what covers half of it in unstable air
-/// (a K-index over 20 makes tall convection likely, as in himan's cloud_code).
+/// (a K-index over 20 makes tall convection likely, as in himan's cloud_code), or stands alone and leaves
+/// more than an octa of the sky open.
 const Demand kHeaped{{{{Trait::CoverAround, Under, 0.3f}},
                       {{Trait::KIndexAround, Over, 20}, {Trait::CoverAround, Under, 0.5f}},
-                      {{Trait::PatchArea, Under, 400}}},
+                      {{Trait::PatchArea, Under, 400}, {Trait::CoverAround, Under, 0.875f}}},
                      "heaped",
                      false};
 const Demand kNotHeaped{kHeaped.alternatives, kHeaped.name, true};
