@@ -173,7 +173,8 @@ ArchetypeShape shapeOf(const ArchetypeKey& key, const Options& options, const Ge
   }
   // Heaps bulge in the middle: they end where a little of them is left over, or they would be drawn out to
   // columns.
-  const bool heaped = recipe.form == shape::Form::Heap || recipe.form == shape::Form::Tower;
+  const bool heaped = (recipe.form == shape::Form::Heap || recipe.form == shape::Form::Tower) &&
+                      request.puffs >= fewestPuffs(recipe);
   fillWithFew(out.cloud.puffs, recipe, request.puffs);
   if (recipe.form == shape::Form::Veil) holdWithin(out.cloud.puffs, out.widthMeters);
   shape::spreadBetween(out.cloud.puffs, heaped ? 0.03 : field::kBorderShare, out.depthMeters);

@@ -17,6 +17,25 @@ struct Upright {
 
 bool fallsOut(const Puff& puff) { return puff.center.y < 0; }
 
+bool isLeaning(const Puff& puff) {
+  return std::abs(puff.rotation.x) > 1e-4f || std::abs(puff.rotation.z) > 1e-4f;
+}
+
+/// What is left beyond base and top would be seen as cloud there, however little it is, where the cloud is
+/// dense: puffs near them are flatter.
+void flattenTowardsEnds(std::span<Puff> puffs, float depthMeters) {
+  constexpr float kBeyond = 0.03f, kDeviations = 2.5f, kFlattest = 0.25f;
+  for (Puff& puff : puffs) {
+    if (fallsOut(puff)) continue;
+    puff.center.y = std::min(puff.center.y, depthMeters - 0.3f * puff.sigma.y);
+    if (isLeaning(puff)) continue;
+    const float room = std::min(puff.center.y, depthMeters - puff.center.y) + kBeyond * depthMeters;
+    const float flatter = std::clamp(room / (kDeviations * puff.sigma.y), kFlattest, 1.0f);
+    puff.sigma.y *= flatter;
+    puff.extinctionPerMeter /= flatter;
+  }
+}
+
 std::vector<Upright> uprights(std::span<const Puff> puffs, bool withPrecipitation) {
   std::vector<Upright> out;
   double whole = 0;
@@ -59,7 +78,7 @@ void spreadBetween(std::span<Puff> puffs, double borderShare, double depthMeters
   if (puffs.empty()) return;
   // Puffs that lean keep their deviations, or they would no longer be ellipsoids of the same axes: what this
   // leaves over, a second pass mends.
-  for (int pass = 0; pass < 3; ++pass) {
+  for (int pass = 0; pass < 5; ++pass) {
     const std::vector<Upright> heights = uprights(puffs, false);
     if (heights.empty()) return;
     const double lower = heightOfShare(heights, borderShare), upper = heightOfShare(heights, 1 - borderShare);
@@ -69,14 +88,12 @@ void spreadBetween(std::span<Puff> puffs, double borderShare, double depthMeters
       if (fallsOut(puff)) continue;
       puff.center.y =
           std::max(0.0f, static_cast<float>(borderShare * depthMeters + (puff.center.y - lower) * stretch));
-      if (std::abs(puff.rotation.x) > 1e-4f || std::abs(puff.rotation.z) > 1e-4f) continue;
+      if (isLeaning(puff)) continue;
       puff.sigma.y = static_cast<float>(puff.sigma.y * stretch);
       puff.extinctionPerMeter = static_cast<float>(puff.extinctionPerMeter / stretch);
     }
+    flattenTowardsEnds(puffs, static_cast<float>(depthMeters));
   }
-  // What is left above the top would be seen as cloud there, however little it is, where the cloud is dense.
-  for (Puff& puff : puffs)
-    puff.center.y = std::min(puff.center.y, static_cast<float>(depthMeters) - 0.3f * puff.sigma.y);
 }
 
 void standOverCentroid(std::span<Puff> puffs) {
