@@ -53,13 +53,14 @@ class CloudWalk {
     clouds(tile);
     nodes_.close();
     nodes_.open("Group");
-    cards(tile.instances);
+    cards(tile.instances, Range::Far);
     nodes_.close();
     nodes_.close();
   }
 
  private:
   enum class Detail : unsigned char { Full, Simple, Cards };
+  enum class Range { Near, Far };
 
   void clouds(const scene::Tile& tile) {
     std::vector<std::uint32_t> others;
@@ -69,7 +70,7 @@ class CloudWalk {
       else
         cloud(i);
     }
-    cards(others);
+    cards(others, Range::Near);
   }
 
   /// XML names and VRML ids hold no minus sign in every viewer.
@@ -285,7 +286,7 @@ class CloudWalk {
   }
 
   /// Clouds as crossed cards, one Shape a genus, in the scene frame.
-  void cards(std::span<const std::uint32_t> instances) {
+  void cards(std::span<const std::uint32_t> instances, Range range) {
     const bool inParts = 5 * scene_.instances.size() <= kFarPuffs;
     std::map<base::Genus, std::vector<LitPuff>> puffs;
     for (const std::uint32_t i : instances) {
@@ -302,6 +303,11 @@ class CloudWalk {
       if (placed.empty()) continue;
       if (!inParts || !far) placed = {merged(placed)};
       auto& all = puffs[archetype.genus];
+      // From afar nobody tells how dense a cloud is, or where within it: one quad less to blend.
+      if (range == Range::Far) {
+        all.insert(all.end(), placed.begin(), placed.end());
+        continue;
+      }
       for (const LitPuff& whole : placed)
         for (const shape::Puff& side : topAndBottom(whole.puff))
           for (const shape::Puff& part : shape::divided(std::span(&side, 1), kDensest))
