@@ -177,7 +177,8 @@ ArchetypeShape shapeOf(const ArchetypeKey& key, const Options& options, const Ge
                       request.puffs >= fewestPuffs(recipe);
   fillWithFew(out.cloud.puffs, recipe, request.puffs);
   if (recipe.form == shape::Form::Veil) holdWithin(out.cloud.puffs, out.widthMeters);
-  shape::spreadBetween(out.cloud.puffs, heaped ? 0.03 : field::kBorderShare, out.depthMeters);
+  shape::spreadBetween(out.cloud.puffs, heaped ? 0.03 : field::kBorderShare, out.depthMeters,
+                       heaped ? shape::Ends::Round : shape::Ends::Flat);
   divideDense(out.cloud);
   shape::standOverCentroid(out.cloud.puffs);
   return out;

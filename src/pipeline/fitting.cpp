@@ -138,7 +138,7 @@ class Fitting {
 
   /// A narrower heap is less deep, too, where it would else be a column.
   static double depthAt(const shape::Recipe& recipe, const Candidate& candidate, double share) {
-    constexpr double kSlender = 0.9;  ///< depth over width
+    constexpr double kSlender = 0.6;  ///< depth over width
     if (recipe.form != shape::Form::Heap || recipe.sheet) return candidate.depthMeters;
     const double asSlender = kSlender * share * candidate.widthMeters;
     return std::min<double>(candidate.depthMeters,

@@ -26,9 +26,8 @@ bool isLeaning(const Puff& puff) {
 void flattenTowardsEnds(std::span<Puff> puffs, float depthMeters) {
   constexpr float kBeyond = 0.03f, kDeviations = 2.5f, kFlattest = 0.25f;
   for (Puff& puff : puffs) {
-    if (fallsOut(puff)) continue;
+    if (fallsOut(puff) || isLeaning(puff)) continue;
     puff.center.y = std::min(puff.center.y, depthMeters - 0.3f * puff.sigma.y);
-    if (isLeaning(puff)) continue;
     const float room = std::min(puff.center.y, depthMeters - puff.center.y) + kBeyond * depthMeters;
     const float flatter = std::clamp(room / (kDeviations * puff.sigma.y), kFlattest, 1.0f);
     puff.sigma.y *= flatter;
@@ -74,7 +73,7 @@ double heightOfShare(std::span<const Puff> puffs, double share) {
   return puffs.empty() ? 0 : heightOfShare(uprights(puffs, true), share);
 }
 
-void spreadBetween(std::span<Puff> puffs, double borderShare, double depthMeters) {
+void spreadBetween(std::span<Puff> puffs, double borderShare, double depthMeters, Ends ends) {
   if (puffs.empty()) return;
   // Puffs that lean keep their deviations, or they would no longer be ellipsoids of the same axes: what this
   // leaves over, a second pass mends.
@@ -92,8 +91,10 @@ void spreadBetween(std::span<Puff> puffs, double borderShare, double depthMeters
       puff.sigma.y = static_cast<float>(puff.sigma.y * stretch);
       puff.extinctionPerMeter = static_cast<float>(puff.extinctionPerMeter / stretch);
     }
-    flattenTowardsEnds(puffs, static_cast<float>(depthMeters));
+    if (ends == Ends::Flat) flattenTowardsEnds(puffs, static_cast<float>(depthMeters));
   }
+  for (Puff& puff : puffs)
+    puff.center.y = std::min(puff.center.y, static_cast<float>(depthMeters) - 0.3f * puff.sigma.y);
 }
 
 void standOverCentroid(std::span<Puff> puffs) {

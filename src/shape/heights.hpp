@@ -10,10 +10,14 @@ namespace cloudgen::shape {
 /// The height below which a share (0..1) of the extinction of upright puffs lies, metres.
 double heightOfShare(std::span<const Puff> puffs, double share);
 
+/// How a cloud ends: heaps bulge towards their top; what is told by few puffs, or is a layer, is flat there,
+/// so that no dense puff is seen beyond.
+enum class Ends { Round, Flat };
+
 /// Moves and stretches puffs upright so that `borderShare` of their extinction lies below that share of the
 /// depth, and as much above its counterpart from the top: as it does in an even layer of this depth. What
 /// falls out of the cloud (centres below 0) stays where it is.
-void spreadBetween(std::span<Puff> puffs, double borderShare, double depthMeters);
+void spreadBetween(std::span<Puff> puffs, double borderShare, double depthMeters, Ends ends);
 
 /// Moves puffs sideways so that the centroid of their extinction is over the origin.
 void standOverCentroid(std::span<Puff> puffs);
