@@ -76,7 +76,7 @@ double heightOfShare(std::span<const Puff> puffs, double share) {
 void spreadBetween(std::span<Puff> puffs, double borderShare, double depthMeters, Ends ends) {
   if (puffs.empty()) return;
   // Puffs that lean keep their deviations, or they would no longer be ellipsoids of the same axes: what this
-  // leaves over, a second pass mends.
+  // leaves over, further passes mend.
   for (int pass = 0; pass < 5; ++pass) {
     const std::vector<Upright> heights = uprights(puffs, false);
     if (heights.empty()) return;
@@ -93,6 +93,7 @@ void spreadBetween(std::span<Puff> puffs, double borderShare, double depthMeters
     }
     if (ends == Ends::Flat) flattenTowardsEnds(puffs, static_cast<float>(depthMeters));
   }
+  // No centre so high that most of its puff would stand above the top.
   for (Puff& puff : puffs)
     puff.center.y = std::min(puff.center.y, static_cast<float>(depthMeters) - 0.3f * puff.sigma.y);
 }
