@@ -169,7 +169,6 @@ ordered_json fidelityJson(const Fidelity& fidelity, const check::Tolerances& tol
   json["columns"] = fidelity.columns.size();
   ordered_json cover = coversOf(fidelity.cover);
   cover["populated"] = populatedOf(fidelity);
-  cover["drawn"] = coverOf(fidelity.drawnCover);
   json["cover"] = std::move(cover);
   const check::OpticalDepthScore& depth = fidelity.opticalDepth;
   json["optical_depth"] = {{"model_mean", rounded(depth.modelMean, 1e4)},

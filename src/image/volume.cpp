@@ -32,7 +32,7 @@ Blob blobOf(const Splat& splat, const View& view, const VolumeOptions& options) 
               widest = std::max({splat.sigma.x, splat.sigma.y, splat.sigma.z});
   Blob blob;
   blob.center = away;
-  const float depth = -std::log1p(-std::min(splat.opacity, 0.9997f));
+  const float depth = -std::log1p(-std::min(splat.opacity, 1 - 1e-7f));
   blob.extinction = depth / (2.5066283f * std::max(narrowest, 1e-6f)) * grown.x * grown.y * grown.z;
   const glm::mat3 axes = glm::mat3_cast(splat.rotation);
   for (int i = 0; i < 3; ++i)

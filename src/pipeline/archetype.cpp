@@ -39,22 +39,6 @@ double faintShare(const std::vector<shape::Puff>& puffs, double factor) {
   return whole > 0 ? faint / whole : 0;
 }
 
-/// Opacities must tell optical depths apart: those of a cloud are up to a class above the archetype's.
-void divideDense(shape::CloudShape& cloud) {
-  constexpr float kMostOpticalDepth = 16;
-  shape::CloudShape out;
-  for (std::size_t section = 0; section + 1 < cloud.sectionStart.size(); ++section) {
-    out.sectionStart.push_back(static_cast<std::uint32_t>(out.puffs.size()));
-    const std::span<const shape::Puff> own(cloud.puffs.data() + cloud.sectionStart[section],
-                                           cloud.sectionStart[section + 1] - cloud.sectionStart[section]);
-    const std::vector<shape::Puff> parts =
-        shape::divided(own, kMostOpticalDepth / static_cast<float>(kOpticalDepthStep));
-    out.puffs.insert(out.puffs.end(), parts.begin(), parts.end());
-  }
-  out.sectionStart.push_back(static_cast<std::uint32_t>(out.puffs.size()));
-  cloud = std::move(out);
-}
-
 /// Fewer puffs than a genus is told by near at hand are larger, so that together they fill as much space (as
 /// much ground, where they lie side by side).
 void fillWithFew(std::vector<shape::Puff>& puffs, const shape::Recipe& recipe, int asked) {
@@ -179,22 +163,20 @@ ArchetypeShape shapeOf(const ArchetypeKey& key, const Options& options, const Ge
   if (recipe.form == shape::Form::Veil) holdWithin(out.cloud.puffs, out.widthMeters);
   shape::spreadBetween(out.cloud.puffs, heaped ? 0.03 : field::kBorderShare, out.depthMeters,
                        heaped ? shape::Ends::Round : shape::Ends::Flat);
-  divideDense(out.cloud);
   shape::standOverCentroid(out.cloud.puffs);
   return out;
 }
 
-std::vector<shape::Puff> farPuffsOf(std::span<const shape::Puff> puffs, double widthMeters,
+std::vector<shape::Puff> fewerPuffs(std::span<const shape::Puff> puffs, int count, double widthMeters,
                                     double opticalDepth) {
-  constexpr int kFarPuffs = 6;
-  std::vector<shape::Puff> far = shape::reduce(puffs, kFarPuffs);
+  std::vector<shape::Puff> far = shape::reduce(puffs, count);
   if (far.empty()) return far;
   const auto covered = [&](std::span<const shape::Puff> of) {
     return Footprint(of, widthMeters).coveredAlone(opticalDepth, kCoveringOpticalDepth);
   };
   // Moments alone make few blobs that reach out further than the many did.
   const double wanted = covered(puffs);
-  for (int pass = 0; pass < 2; ++pass) {
+  for (int pass = 0; pass < 3; ++pass) {
     const auto by = static_cast<float>(std::clamp(std::sqrt(wanted / covered(far)), 0.7, 1.4));
     for (shape::Puff& puff : far) {
       puff.sigma *= glm::vec3(by, 1, by);

@@ -43,8 +43,8 @@ struct ArchetypeShape {
 };
 ArchetypeShape shapeOf(const ArchetypeKey& key, const Options& options, const Generalisation& general);
 
-/// The same cloud from far away: six puffs that cover as much ground, seen from above, at an optical depth.
-std::vector<shape::Puff> farPuffsOf(std::span<const shape::Puff> puffs, double widthMeters,
+/// The same cloud as a few puffs that cover as much ground, seen from above, at an optical depth.
+std::vector<shape::Puff> fewerPuffs(std::span<const shape::Puff> puffs, int count, double widthMeters,
                                     double opticalDepth);
 
 std::string nameOf(const ArchetypeKey& key);

@@ -53,6 +53,20 @@ class PixelPlaces {
   std::vector<glm::dvec3> nodes_;
 };
 
+struct Span {
+  double from = 0, to = 0;
+};
+
+/// Where slope t + start lies between two bounds.
+Span lineWithin(double slope, double start, double lower, double upper) {
+  constexpr double kFar = 1e9;
+  if (std::abs(slope) < 1e-12) return start >= lower && start <= upper ? Span{-kFar, kFar} : Span{1, 0};
+  const double a = (lower - start) / slope, b = (upper - start) / slope;
+  return {std::min(a, b), std::max(a, b)};
+}
+
+Span both(const Span& a, const Span& b) { return {std::max(a.from, b.from), std::min(a.to, b.to)}; }
+
 }  // namespace
 
 Canvas::Canvas(const field::Grid& grid, const base::LocalFrame& frame, std::span<const std::uint32_t> cells,
@@ -140,50 +154,62 @@ void Canvas::brush(const Stamp& stamp, float sign, Stroke& stroke) {
   const double reach = stamp.footprint->reach() * stamp.widthMeters;
   const glm::dvec2 at = (stamp.place - lower_) / pixelMeters_;
   const double reachPixels = reach / pixelMeters_;
-  const auto within = [](double value, int count) {
-    return static_cast<int>(std::clamp(std::floor(value), 0.0, static_cast<double>(count - 1)));
-  };
-  const int left = within(at.x - reachPixels, columns_), right = within(at.x + reachPixels, columns_),
-            top = within(at.y - reachPixels, rows_), bottom = within(at.y + reachPixels, rows_);
   const double cosine = std::cos(stamp.yawRadians) * pixelMeters_ / stamp.widthMeters,
                sine = std::sin(stamp.yawRadians) * pixelMeters_ / stamp.widthMeters;
-  const double peak = sign * stamp.extinctionArea / (stamp.widthMeters * stamp.widthMeters);
+  // Where the pixels are coarse their centres meet a cloud by chance: all of them together get what it holds.
+  samples_.clear();
+  double sum = 0;
+  const auto addSample = [&](int column, int row, float value) {
+    sum += value;
+    if (row >= 0 && row < rows_ && column >= 0 && column < columns_)
+      samples_.push_back({static_cast<std::uint32_t>(row) * static_cast<std::uint32_t>(columns_) +
+                              static_cast<std::uint32_t>(column),
+                          value});
+  };
+  const auto pixelBelow = [](double value) { return static_cast<int>(std::floor(value)); };
+  const glm::dvec2 &lower = stamp.footprint->lower(), &upper = stamp.footprint->upper();
+  for (int row = pixelBelow(at.y - reachPixels); row <= pixelBelow(at.y + reachPixels); ++row) {
+    const double dz = row + 0.5 - at.y;
+    const Span span = both(lineWithin(cosine, -sine * dz, lower.x, upper.x),
+                           both(lineWithin(sine, cosine * dz, lower.y, upper.y), {-reachPixels, reachPixels}));
+    if (!(span.from <= span.to)) continue;
+    for (int column = pixelBelow(at.x + span.from); column <= pixelBelow(at.x + span.to); ++column) {
+      const double dx = column + 0.5 - at.x;
+      const float value = stamp.footprint->at(cosine * dx - sine * dz, sine * dx + cosine * dz);
+      if (value != 0) addSample(column, row, value);
+    }
+  }
+  if (sum == 0) addSample(pixelBelow(at.x), pixelBelow(at.y), 1);
+  const double peak = sign * stamp.extinctionArea / (sum * pixelSquareMeters());
   std::int32_t lastCell = -1;
   std::uint32_t touched = 0;
   std::size_t plane = 0;
-  for (int row = top; row <= bottom; ++row) {
-    const double dz = row + 0.5 - at.y;
-    for (int column = left; column <= right; ++column) {
-      const auto pixel = static_cast<std::uint32_t>(row) * static_cast<std::uint32_t>(columns_) +
-                         static_cast<std::uint32_t>(column);
-      const std::int32_t cell = cellOf_[pixel];
-      if (cell < 0) continue;
-      const double dx = column + 0.5 - at.x;
-      const auto depth =
-          static_cast<float>(peak * stamp.footprint->at(cosine * dx - sine * dz, sine * dx + cosine * dz));
-      if (depth == 0) continue;
-      if (cell != lastCell) {
-        lastCell = cell;
-        const auto index = static_cast<std::uint32_t>(cell);
-        touched = touchedAs_[index];
-        if (touched >= stroke.touched.size() || stroke.touched[touched].cell != index) {
-          touched = touchedAs_[index] = static_cast<std::uint32_t>(stroke.touched.size());
-          const int layer = layerAt(cells_[index], stamp.baseMeters, stamp.topMeters);
-          stroke.touched.push_back({index, layer, 0, 0, 0});
-        }
-        const int layer = stroke.touched[touched].layer;
-        plane = layer < 0 ? 0 : static_cast<std::size_t>(layer) - cells_[index].firstLayer;
+  for (const auto& [pixel, share] : samples_) {
+    const std::int32_t cell = cellOf_[pixel];
+    if (cell < 0) continue;
+    const auto depth = static_cast<float>(peak * share);
+    if (depth == 0) continue;
+    if (cell != lastCell) {
+      lastCell = cell;
+      const auto index = static_cast<std::uint32_t>(cell);
+      touched = touchedAs_[index];
+      if (touched >= stroke.touched.size() || stroke.touched[touched].cell != index) {
+        touched = touchedAs_[index] = static_cast<std::uint32_t>(stroke.touched.size());
+        const int layer = layerAt(cells_[index], stamp.baseMeters, stamp.topMeters);
+        stroke.touched.push_back({index, layer, 0, 0, 0});
       }
-      Stroke::Touched& change = stroke.touched[touched];
-      const std::size_t value = plane * cellOf_.size() + pixel;
-      change.opticalDepth += depth;
-      const bool before = values_[value] > kCovering, after = values_[value] + depth > kCovering;
-      if (before != after) {
-        change.coveredChange += after ? 1 : -1;
-        if (coveringPlanes_[pixel] == (after ? 0 : 1)) change.coveredByAnyChange += after ? 1 : -1;
-      }
-      stroke.dabs.push_back({value, pixel, touched, depth});
+      const int layer = stroke.touched[touched].layer;
+      plane = layer < 0 ? 0 : static_cast<std::size_t>(layer) - cells_[index].firstLayer;
     }
+    Stroke::Touched& change = stroke.touched[touched];
+    const std::size_t value = plane * cellOf_.size() + pixel;
+    change.opticalDepth += depth;
+    const bool before = values_[value] > kCovering, after = values_[value] + depth > kCovering;
+    if (before != after) {
+      change.coveredChange += after ? 1 : -1;
+      if (coveringPlanes_[pixel] == (after ? 0 : 1)) change.coveredByAnyChange += after ? 1 : -1;
+    }
+    stroke.dabs.push_back({value, pixel, touched, depth});
   }
 }
 

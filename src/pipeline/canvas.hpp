@@ -101,6 +101,11 @@ class Canvas {
       touchedAs_;  ///< of a cell: its place in the stroke that was brushed last, if it is there
   std::size_t planes_ = 1;
   std::vector<float> values_;  ///< plane by plane
+  struct Sample {
+    std::uint32_t pixel = 0;
+    float value = 0;
+  };
+  std::vector<Sample> samples_;  ///< of the stamp that is brushed
 };
 
 }  // namespace cloudgen::pipeline

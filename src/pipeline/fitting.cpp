@@ -199,6 +199,29 @@ class Fitting {
     return true;
   }
 
+  /// A layer whose ground its neighbours' clouds cover already still has its water: one cloud holds it, at the
+  /// width that can and that takes the canvas least further from what is wanted.
+  void takeOne(Filling& filling, std::uint32_t number) {
+    const field::Layer& layer = layers_[filling.layer];
+    const Candidate& candidate = filling.candidates.list[number];
+    const double water =
+        canvas_.layers()[filling.painted].wantedOpticalDepth * canvas_.pixelSquareMeters();
+    std::optional<Stamp> best;
+    double least = 0;
+    for (const double share : kShares) {
+      const Stamp stamp = stampOf(layer, candidate, share);
+      if (best && mostHeld(recipeOf(filling), candidate, stamp) < water) break;
+      canvas_.brush(stamp, 1, stroke_);
+      const double change = changeOfError(stroke_);
+      if (!best || change < least) best = stamp, least = change;
+    }
+    canvas_.brush(*best, 1, stroke_);
+    canvas_.paint(stroke_);
+    filling.taken.push_back({number, *best, 0, 0});
+    std::erase(filling.open, number);
+    std::erase(filling.shaded, number);
+  }
+
   int ownChange(const Filling& filling) const {
     for (const Stroke::Touched& touched : stroke_.touched)
       if (touched.layer == static_cast<int>(filling.painted)) return touched.coveredChange;
@@ -235,6 +258,8 @@ class Fitting {
                                                                                : filling.open)
           .push_back(i);
     addMore(filling);
+    if (filling.taken.empty() && filling.candidates.everyCell && !filling.candidates.list.empty())
+      takeOne(filling, 0);
   }
 
   /// Of a layer and those above it in its cell together.

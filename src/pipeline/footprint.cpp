@@ -44,6 +44,7 @@ Footprint::Footprint(std::span<const shape::Puff> puffs, double widthMeters) {
   pixels_ = static_cast<int>(std::clamp(1.5 * extent / smallest, 32.0, 160.0));
   values_.assign(static_cast<std::size_t>(pixels_ * pixels_), 0.0f);
   const glm::dvec2 pixel = (upper_ - lower_) / static_cast<double>(pixels_);
+  perWidth_ = 1.0 / pixel;
   for (const shape::Puff& puff : puffs) {
     Shadow shadow = shadowOf(puff, widthMeters, shape::extinctionArea(puff) / total);
     shadow.xx += pixel.x * pixel.x / 12, shadow.zz += pixel.y * pixel.y / 12;  // the mean over a pixel
@@ -74,17 +75,6 @@ Footprint::Footprint(std::span<const shape::Puff> puffs, double widthMeters) {
     most = std::max(most, static_cast<float>(n) * waterOfBrightest_[n - 1]);
     waterOfBrightest_[n - 1] = most;
   }
-}
-
-float Footprint::at(double x, double z) const {
-  const double column = (x - lower_.x) / (upper_.x - lower_.x) * pixels_ - 0.5,
-               row = (z - lower_.y) / (upper_.y - lower_.y) * pixels_ - 0.5;
-  const double left = std::floor(column), top = std::floor(row);
-  if (!(left >= 0 && top >= 0 && left < pixels_ - 1 && top < pixels_ - 1)) return 0;
-  const auto here = static_cast<std::size_t>(top) * pixels_ + static_cast<std::size_t>(left);
-  const auto a = static_cast<float>(column - left), b = static_cast<float>(row - top);
-  return (1 - b) * ((1 - a) * values_[here] + a * values_[here + 1]) +
-         b * ((1 - a) * values_[here + pixels_] + a * values_[here + pixels_ + 1]);
 }
 
 double Footprint::coveredAlone(double opticalDepth, double threshold) const {

@@ -18,15 +18,27 @@ class Footprint {
  public:
   Footprint(std::span<const shape::Puff> puffs, double widthMeters);
   /// Between pixels linear; 0 beyond the puffs' reach.
-  float at(double x, double z) const;
+  float at(double x, double z) const {
+    const double column = (x - lower_.x) * perWidth_.x - 0.5, row = (z - lower_.y) * perWidth_.y - 0.5;
+    if (!(column >= 0 && row >= 0 && column < pixels_ - 1 && row < pixels_ - 1)) return 0;
+    const auto left = static_cast<int>(column), top = static_cast<int>(row);
+    const float* here = values_.data() + top * pixels_ + left;
+    const auto a = static_cast<float>(column - left), b = static_cast<float>(row - top);
+    return (1 - b) * ((1 - a) * here[0] + a * here[1]) +
+           b * ((1 - a) * here[pixels_] + a * here[pixels_ + 1]);
+  }
   /// How far it reaches from its origin.
   double reach() const { return reach_; }
+  /// The box beyond which there is nothing of it.
+  const glm::dvec2& lower() const { return lower_; }
+  const glm::dvec2& upper() const { return upper_; }
   /// The ground, in squares of the width, that the cloud covers with more than `threshold` if it stands alone
   /// and its optical depth over that ground is `opticalDepth`.
   double coveredAlone(double opticalDepth, double threshold) const;
 
  private:
   glm::dvec2 lower_{0}, upper_{0};
+  glm::dvec2 perWidth_{1};  ///< pixels
   double reach_ = 0;
   int pixels_ = 1;  ///< along each side
   std::vector<float> values_;

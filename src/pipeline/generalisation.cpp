@@ -73,16 +73,16 @@ namespace {
 int leastPuffs(const shape::Recipe& recipe) {
   switch (recipe.form) {
     case shape::Form::Heap:
-      return 9;
+      return 7;
     case shape::Form::Veil:
-      return 4;
+      return 3;
     case shape::Form::Tower:
-      return 24;
+      return 18;
     case shape::Form::Cells:
     case shape::Form::Filaments:
       break;
   }
-  return 9;
+  return 7;
 }
 
 /// Clouds twice as wide as natural are told by six tenths of the puffs: half of what a budget lacks is saved

@@ -30,7 +30,9 @@ scene::Archetype makeArchetype(const ArchetypeKey& key, const Options& options,
   archetype.widthMeters = static_cast<float>(shape.widthMeters);
   archetype.depthMeters = static_cast<float>(shape.depthMeters);
   archetype.opticalDepth = static_cast<float>(shape.opticalDepth);
-  archetype.farPuffs = farPuffsOf(archetype.puffs, shape.widthMeters, shape.opticalDepth);
+  constexpr int kFarPuffs = 6;
+  archetype.farPuffs = fewerPuffs(archetype.puffs, kFarPuffs, shape.widthMeters, shape.opticalDepth);
+  archetype.onePuff = fewerPuffs(archetype.puffs, 1, shape.widthMeters, shape.opticalDepth).front();
   return archetype;
 }
 
@@ -75,6 +77,7 @@ scene::LitArchetype lightArchetype(std::uint32_t index, int yawStep, const scene
   lit.yawStep = yawStep;
   lit.puffs = light::shadePuffs(archetype.puffs, transfer, lighting, shadingOf(archetype.genus));
   lit.farPuffs = light::averageLight(archetype.puffs, lit.puffs, archetype.farPuffs);
+  lit.onePuff = light::averageLight(archetype.puffs, lit.puffs, std::span(&archetype.onePuff, 1)).front();
   return lit;
 }
 

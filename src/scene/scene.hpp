@@ -31,6 +31,7 @@ struct Archetype {
   float widthMeters = 0, depthMeters = 0;  ///< nominal, at scale 1
   float opticalDepth = 0;                  ///< vertical, mean over the nominal footprint, at factor 1
   std::vector<shape::Puff> farPuffs;  ///< the same cloud as a handful of puffs (at most 8), for far levels
+  shape::Puff onePuff;                ///< the same cloud as one puff that covers as much ground
 };
 
 /// The light on an archetype under one heading of it: one entry a puff (and one a far puff).
@@ -38,6 +39,7 @@ struct LitArchetype {
   std::uint32_t archetype = 0;
   int yawStep = 0;
   std::vector<light::PuffLight> puffs, farPuffs;
+  light::PuffLight onePuff;
 };
 
 /// A cloud: an archetype, moved, turned (about y, counter-clockwise seen from above: +x towards -z) and

@@ -30,11 +30,6 @@ float frontalOpticalDepth(const Puff& puff);
 /// The integral of extinction over space, m2: extinction * (2 pi)^1.5 * product of the deviations.
 double extinctionArea(const Puff& puff);
 
-/// Splits puffs whose frontal optical depth is over `most` into several in a row along their longest axis, of
-/// the same integral, centre and covariance together. What is drawn with an opacity cannot tell depths beyond
-/// about 10 apart.
-std::vector<Puff> divided(std::span<const Puff> puffs, float most);
-
 struct Bounds {
   glm::vec3 lower{0}, upper{0};
 };

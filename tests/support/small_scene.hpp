@@ -7,6 +7,7 @@
 
 #include "base/random.hpp"
 #include "scene/scene.hpp"
+#include "shape/reduce.hpp"
 
 /// Scenes made by hand for the tests of the writers: no reader, no pipeline, the same at every call.
 namespace cloudgen::test {
@@ -60,6 +61,7 @@ inline scene::Archetype heap(const std::string& name, base::Genus genus, float w
     puff.sprite = static_cast<std::uint16_t>(p);
     cloud.farPuffs.push_back(puff);
   }
+  cloud.onePuff = shape::reduce(cloud.puffs, 1).front();
   cloud.bounds = shape::boundsOf(cloud.puffs);
   cloud.widthMeters = width;
   cloud.depthMeters = height;
@@ -95,6 +97,7 @@ inline scene::Archetype sheet(const std::string& name, base::Genus genus, float 
     puff.sprite = static_cast<std::uint16_t>(p);
     cloud.farPuffs.push_back(puff);
   }
+  cloud.onePuff = shape::reduce(cloud.puffs, 1).front();
   cloud.bounds = shape::boundsOf(cloud.puffs);
   cloud.widthMeters = width;
   cloud.depthMeters = height;

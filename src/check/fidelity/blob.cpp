@@ -2,6 +2,7 @@
 #include "check/fidelity/blob.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <numbers>
@@ -18,6 +19,7 @@ Blob volumeBlob(const glm::vec3& center, const glm::mat3& halfAxes, float fronta
   const double shortest = *std::min_element(lengths.begin(), lengths.end());
   blob.strength = static_cast<float>(2 * std::numbers::pi * frontalOpticalDepth * lengths[0] * lengths[1] *
                                      lengths[2] / shortest);
+  blob.opacity = -std::expm1(-frontalOpticalDepth);
   return blob;
 }
 
@@ -26,6 +28,7 @@ Blob cardBlob(const glm::vec3& center, const glm::vec3& right, const glm::vec3& 
   blob.center = center;
   blob.shape = {right.x, right.y, right.z, up.x, up.y, up.z};
   blob.strength = opticalDepth;
+  blob.opacity = -std::expm1(-opticalDepth);
   blob.kind = BlobKind::Card;
   return blob;
 }

@@ -23,6 +23,7 @@ struct Blob {
   std::array<float, 6> shape{};
   /// Of a volume its extinction integrated over space, m2; of a card the optical depth of its centre.
   float strength = 0;
+  float opacity = 0;        ///< of its centre, as viewers blend it
   std::uint32_t pivot = 0;  ///< of a turning card: index among the scene's pivots
   BlobKind kind = BlobKind::Volume;
   bool front = true, back = true;  ///< of a card: which faces are drawn

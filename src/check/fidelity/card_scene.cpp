@@ -71,7 +71,7 @@ class Walk {
 
   void add(const Card& card, const Pose& pose) {
     Blob blob = cardBlob(pointOf(pose.matrix, card.center), vectorOf(pose.matrix, card.right) / kCardReach,
-                         vectorOf(pose.matrix, card.up) / kCardReach, opticalDepthOf(card.alpha));
+                         vectorOf(pose.matrix, card.up) / kCardReach, card.opticalDepth);
     blob.front = card.front;
     blob.back = card.back;
     if (pose.pivot) {
@@ -89,7 +89,12 @@ class Walk {
 
 }  // namespace
 
-float opticalDepthOf(float alpha) { return -std::log1p(-std::clamp(alpha, 0.0f, 1.0f)); }
+float opticalDepthOf(float alpha, float stated) {
+  constexpr float kAgreeing = 1e-3f;
+  if (stated > 0 && std::isfinite(stated) && std::abs(-std::expm1(-stated) - alpha) < kAgreeing)
+    return stated;
+  return -std::log1p(-std::clamp(alpha, 0.0f, 1.0f));
+}
 
 void boundSaturated(WrittenScene& scene, float mostOpaque) {
   float least = opticalDepthOf(mostOpaque);

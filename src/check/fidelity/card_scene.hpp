@@ -15,7 +15,7 @@ namespace cloudgen::check {
 /// A textured rectangle of a cloud, in the coordinates of its Shape.
 struct Card {
   glm::vec3 center{0}, right{0}, up{0};  ///< half-sides; its front looks along right x up
-  float alpha = 0;
+  float opticalDepth = 0;            ///< of the centre
   bool front = false, back = false;  ///< which faces are drawn
 };
 
@@ -33,8 +33,9 @@ struct CardNode {
   int depth = 1;  ///< of the graph below it
 };
 
-/// Optical depth of the centre of a card; infinite where its alpha is 1.
-float opticalDepthOf(float alpha);
+/// Optical depth of the centre of a card; infinite where its alpha is 1. Where alpha is nearly 1, what is
+/// stated beside it counts, unless that is another alpha.
+float opticalDepthOf(float alpha, float stated = 0);
 
 /// Counts the cards whose alpha is 1 and gives them the optical depth that they have at least: that of
 /// `mostOpaque`, the largest alpha that may have been rounded to 1, or that of the most opaque other card.

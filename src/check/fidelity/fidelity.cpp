@@ -162,13 +162,12 @@ void countClouds(const WrittenScene& scene, const base::LocalFrame& frame, const
 
 void score(Fidelity& fidelity, bool namesClouds, const Tolerances& tolerances) {
   CoverDifferences cover, populated;
-  Differences drawn, base, top, thickness;
+  Differences base, top, thickness;
   for (const ComparedColumn& column : fidelity.columns) {
     const ColumnView& model = column.model.view;
     const double weight = column.model.squareMeters;
     cover.add(column);
     if (column.isPopulated()) populated.add(column);
-    drawn.add(column.drawnCover, model.cover, weight);
     if (model.baseMeters && column.scene.baseMeters) {
       base.add(*column.scene.baseMeters, *model.baseMeters, weight);
       thickness.add(column.model.levelMeters, 0, weight);
@@ -176,7 +175,6 @@ void score(Fidelity& fidelity, bool namesClouds, const Tolerances& tolerances) {
     if (model.topMeters && column.scene.topMeters) top.add(*column.scene.topMeters, *model.topMeters, weight);
   }
   fidelity.cover = cover.score();
-  fidelity.drawnCover = drawn.score();
   fidelity.base = base.score();
   fidelity.top = top.score();
   if (namesClouds) fidelity.populatedCover = populated.score();
@@ -255,8 +253,7 @@ Fidelity compareWithModel(const WrittenScene& scene, const base::LocalFrame& fra
     for (std::size_t i = 0; i < count; ++i)
       rays[i] = raysInto(model.grid(), columns[first + i].cell, fidelity.raysAcross, frame);
     base::parallelFor(count, [&](std::size_t i) {
-      const SeenColumn seen = imager.look(rays[i], columns[first + i]);
-      fidelity.columns[first + i] = {columns[first + i], seen.view, seen.drawnCover, 0};
+      fidelity.columns[first + i] = {columns[first + i], imager.look(rays[i], columns[first + i]), 0};
     });
   }
   fidelity.slants = lookAslant(scene, frame, progress);

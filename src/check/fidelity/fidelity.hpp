@@ -61,7 +61,6 @@ struct GenusScore {
 struct ComparedColumn {
   ModelColumn model;
   ColumnView scene;
-  double drawnCover = 0;
   std::size_t clouds = 0;  ///< that the scene names and whose foot stands in it
 
   bool isPopulated() const { return clouds >= kPopulatedClouds || model.view.cover >= kFullSheet; }
@@ -92,7 +91,7 @@ struct Fidelity {
   CoverScores cover;
   /// Over the populated columns; nothing where the file does not name its clouds.
   std::optional<CoverScores> populatedCover;
-  Score drawnCover, base, top;
+  Score base, top;
   OpticalDepthScore opticalDepth;
   GenusScore genus;
   Slants slants;

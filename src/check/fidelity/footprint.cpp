@@ -118,9 +118,12 @@ glm::vec2 Footprint::halfSides() const {
 }
 
 Footprint footprintOf(const Blob& blob, std::span<const Pivot> pivots, const View& view) {
-  if (blob.kind == BlobKind::Volume) return footprintOfVolume(blob, view);
-  if (blob.kind == BlobKind::Card) return footprintOfCard(blob, blob.center, blob.right(), blob.up(), view);
-  return footprintOfTurning(blob, pivots[blob.pivot], view);
+  Footprint out =
+      blob.kind == BlobKind::Volume ? footprintOfVolume(blob, view)
+      : blob.kind == BlobKind::Card ? footprintOfCard(blob, blob.center, blob.right(), blob.up(), view)
+                                    : footprintOfTurning(blob, pivots[blob.pivot], view);
+  out.opacity = blob.opacity;
+  return out;
 }
 
 bool isSeen(const Footprint& footprint) {

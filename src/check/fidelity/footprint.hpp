@@ -39,6 +39,7 @@ struct Footprint {
   glm::vec2 place{0};         ///< x and z where the ray through the centre meets the level
   glm::mat2 toDeviations{1};  ///< from metres off it to standard deviations
   float opticalDepth = 0;     ///< of the ray through the centre
+  float opacity = 0;          ///< that viewers give its centre
   float reach = 4;            ///< deviations beyond which it adds nothing
   bool square = false;        ///< cut off along two axes, as a card is, and not all around
   float height = 0;           ///< mean height of what a ray through the centre meets

@@ -45,8 +45,10 @@ Card cardOf(const PictureMesh& mesh, std::span<const std::uint32_t> vertices) {
   card.center = 0.5f * (lowerRight + upperLeft);
   card.right = 0.5f * (lowerRight - lowerLeft);
   card.up = 0.5f * (upperLeft - lowerLeft);
+  float alpha = 0;
   for (const std::uint32_t vertex : vertices)
-    card.alpha += mesh.colors[4 * vertex + 3] / static_cast<float>(vertices.size());
+    alpha += mesh.colors[4 * vertex + 3] / static_cast<float>(vertices.size());
+  card.opticalDepth = opticalDepthOf(alpha);
   return card;
 }
 
@@ -87,7 +89,7 @@ void addNode(const MeshNode& node, const std::string& where, WrittenScene& scene
   for (const MeshPlace& place : node.places) {
     for (const Card& card : cards) {
       Blob blob = cardBlob(place.shift + place.axes * card.center, place.axes * card.right / kCardReach,
-                           place.axes * card.up / kCardReach, opticalDepthOf(card.alpha));
+                           place.axes * card.up / kCardReach, card.opticalDepth);
       blob.front = card.front;
       blob.back = card.back;
       scene.blobs.push_back(blob);

@@ -13,11 +13,15 @@ namespace {
 /// Bins along a side at most: their table stays small beside the blobs.
 constexpr int kMostBins = 1024;
 
-/// What a ray gathers.
+/// What a ray gathers: of the optical depth that viewers draw, all and what lies below the two borders of the
+/// ranges.
 struct Ray {
-  double opticalDepth = 0, transmission = 1;
-  std::array<double, 2> below{};  ///< the two borders of the ranges
+  double drawn = 0;
+  std::array<double, 2> drawnBelow{};
 };
+
+/// Opacity that a ray meets nearly a whole one with: a few of them hide all.
+constexpr float kMostOpaque = 1 - 0x1p-24f;
 
 /// Share of a normal distribution that lies below a height.
 double shareBelow(double height, double mean, double deviation) {
@@ -33,8 +37,6 @@ Imager::Imager(std::span<const Footprint> footprints) : footprints_(footprints) 
     start_.assign(2, 0);
     return;
   }
-  opacities_.reserve(footprints.size());
-  for (const Footprint& footprint : footprints) opacities_.push_back(-std::expm1(-footprint.opticalDepth));
   glm::dvec2 lower(1e30), upper(-1e30);
   double sides = 0;
   for (const Footprint& footprint : footprints) {
@@ -75,12 +77,11 @@ Imager::BinRange Imager::binsOf(const Footprint& footprint) const {
           bin(place.y - half.y - lower_.y, rows_), bin(place.y + half.y - lower_.y, rows_)};
 }
 
-SeenColumn Imager::look(std::span<const glm::dvec2> rays, const ModelColumn& column) const {
+ColumnView Imager::look(std::span<const glm::dvec2> rays, const ModelColumn& column) const {
   constexpr double kGround = -500, kSpace = 22000;
-  SeenColumn seen;
+  ColumnView seen;
   if (rays.empty()) return seen;
   HeightProfile profile;
-  const double drawnLimit = std::exp(-kCloudyOpticalDepth);
   for (const glm::dvec2& place : rays) {
     Ray ray;
     // Places beyond the outermost bins belong to those, as the footprints that reach out there do.
@@ -97,31 +98,31 @@ SeenColumn Imager::look(std::span<const glm::dvec2> rays, const ModelColumn& col
       if (!(depth > 0)) continue;
       const double height = blob.height + static_cast<double>(blob.heightSlope.x) * off.x +
                             static_cast<double>(blob.heightSlope.y) * off.y;
-      ray.opticalDepth += depth;
-      ray.transmission *= 1 - opacities_[members_[m]] * depth / blob.opticalDepth;
+      const double drawn =
+          -std::log1p(-std::min(kMostOpaque, blob.opacity * static_cast<float>(depth / blob.opticalDepth)));
+      seen.opticalDepth += depth;
+      ray.drawn += drawn;
       for (std::size_t border = 0; border < 2; ++border)
-        ray.below[border] += depth * shareBelow(column.borders[border], height, blob.heightDeviation);
+        ray.drawnBelow[border] += drawn * shareBelow(column.borders[border], height, blob.heightDeviation);
       profile.addGaussian(height, blob.heightDeviation, depth);
     }
-    seen.view.opticalDepth += ray.opticalDepth;
-    if (ray.opticalDepth > kCloudyOpticalDepth) seen.view.cover += 1;
-    if (ray.transmission < drawnLimit) seen.drawnCover += 1;
-    const std::array<double, kRanges> parts{ray.below[0], ray.below[1] - ray.below[0],
-                                            ray.opticalDepth - ray.below[1]};
+    if (ray.drawn > kCloudyOpticalDepth) seen.cover += 1;
+    const std::array<double, kRanges> parts{ray.drawnBelow[0],
+                                            ray.drawnBelow[1] - ray.drawnBelow[0],
+                                            ray.drawn - ray.drawnBelow[1]};
     for (std::size_t range = 0; range < kRanges; ++range)
-      if (parts[range] > kCloudyOpticalDepth) seen.view.coverIn[range] += 1;
+      if (parts[range] > kCloudyOpticalDepth) seen.coverIn[range] += 1;
   }
   const auto count = static_cast<double>(rays.size());
-  seen.view.opticalDepth /= count;
-  seen.view.cover /= count;
-  seen.drawnCover /= count;
-  for (double& cover : seen.view.coverIn) cover /= count;
-  if (!(seen.view.cover > 0)) return seen;
+  seen.opticalDepth /= count;
+  seen.cover /= count;
+  for (double& cover : seen.coverIn) cover /= count;
+  if (!(seen.cover > 0)) return seen;
   const std::array<double, 4> edges{kGround, column.borders[0], column.borders[1], kSpace};
   const auto lowest = static_cast<std::size_t>(column.lowestRange),
              highest = static_cast<std::size_t>(column.highestRange);
-  seen.view.baseMeters = profile.heightAt(kBorderShare, edges[lowest], edges[lowest + 1]);
-  seen.view.topMeters = profile.heightAt(1 - kBorderShare, edges[highest], edges[highest + 1]);
+  seen.baseMeters = profile.heightAt(kBorderShare, edges[lowest], edges[lowest + 1]);
+  seen.topMeters = profile.heightAt(1 - kBorderShare, edges[highest], edges[highest + 1]);
   return seen;
 }
 

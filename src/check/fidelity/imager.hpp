@@ -10,17 +10,11 @@
 
 namespace cloudgen::check {
 
-/// What the imager sees of a column.
-struct SeenColumn {
-  ColumnView view;
-  /// Cover as viewers blend it: a ray is cloudy where 1 - product of (1 - opacity) is that of
-  /// kCloudyOpticalDepth, a blob's opacity at the ray being that of its centre times the Gaussian.
-  double drawnCover = 0;
-};
-
 /// Looks straight down on a written scene, ray by ray. The optical depth of a ray is the sum of the column
-/// integrals of the blobs it meets; it is cloudy where that exceeds kCloudyOpticalDepth, and in a range of
-/// heights where the part within it does.
+/// integrals of the blobs it meets. It is cloudy where what viewers draw lets no more light through than
+/// kCloudyOpticalDepth does: they blend a blob with the opacity of its centre times the Gaussian, so that the
+/// ray is left -ln of the product of (1 - opacity) as its drawn optical depth; and cloudy in a range of heights
+/// where the part of that within it is.
 class Imager {
  public:
   /// Sorts the footprints into bins; they must outlive it.
@@ -28,7 +22,7 @@ class Imager {
 
   /// The column that the rays (x and z) look at; its ranges and where to look for base and top are the
   /// model's. May be called by several threads.
-  SeenColumn look(std::span<const glm::dvec2> rays, const ModelColumn& column) const;
+  ColumnView look(std::span<const glm::dvec2> rays, const ModelColumn& column) const;
 
  private:
   struct BinRange {
@@ -37,7 +31,6 @@ class Imager {
   BinRange binsOf(const Footprint& footprint) const;
 
   std::span<const Footprint> footprints_;
-  std::vector<float> opacities_;  ///< of their centres
   glm::dvec2 lower_{0};
   double binMeters_ = 1;
   int columns_ = 1, rows_ = 1;

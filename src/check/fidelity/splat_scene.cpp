@@ -15,14 +15,13 @@ WrittenScene readSplatScene(const std::filesystem::path& file) {
 }
 
 WrittenScene readSplatScene(std::string_view bytes, const std::string& where) {
-  constexpr float kMostOpaque = 1 - 0x1p-24f;  // the last float before 1
+  constexpr float kMostTold = 16.6f;  // by the last float before 1
   WrittenScene scene{where, "splats", {}, {}, {}, 0};
   readSplats(bytes, where, [&](const ReadSplat& splat) {
     glm::mat3 halfAxes = glm::mat3_cast(glm::normalize(splat.rotation));
     for (int axis = 0; axis < 3; ++axis) halfAxes[axis] *= splat.sigma[axis];
-    if (splat.opacity >= kMostOpaque) ++scene.saturated;
-    const float depth = -std::log1p(-std::min(splat.opacity, kMostOpaque));
-    scene.blobs.push_back(volumeBlob(splat.center, halfAxes, depth));
+    if (splat.opacity >= 1 && splat.opticalDepth <= kMostTold) ++scene.saturated;
+    scene.blobs.push_back(volumeBlob(splat.center, halfAxes, splat.opticalDepth));
   });
   return scene;
 }

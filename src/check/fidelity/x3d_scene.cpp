@@ -93,6 +93,8 @@ class Reader {
       colors_ = floatsOf(value(attributes, "color"));
     } else if (name == "Coordinate") {
       points_ = floatsOf(value(attributes, "point"));
+    } else if (name == "MetadataFloat" && value(attributes, "name") == "optical_depth") {
+      stated_ = floatsOf(value(attributes, "value"));
     } else if (name == "MetadataString" && value(attributes, "name") == "id genus rule") {
       record(stringsOf(value(attributes, "value")));
     }
@@ -142,7 +144,7 @@ class Reader {
     node.kind = kind;
     if (name == "Transform") node.matrix = matrixOf(attributes);
     if (name == "Shape") {
-      indices_.clear(), colors_.clear(), points_.clear();
+      indices_.clear(), colors_.clear(), points_.clear(), stated_.clear();
       shapeLook_.reset();
     }
     nodes_.push_back(std::move(node));
@@ -197,7 +199,7 @@ class Reader {
       card.center = 0.5f * (corner(0) + corner(2));
       card.right = 0.5f * (corner(1) - corner(0));
       card.up = 0.5f * (corner(3) - corner(0));
-      card.alpha = std::clamp(colors_[16 * i + 3], 0.0f, 1.0f);
+      card.opticalDepth = opticalDepthOf(colors_[16 * i + 3], i < stated_.size() ? stated_[i] : 0);
     }
     for (std::size_t t = 0; t < indices_.size(); t += 3) {
       const std::int64_t a = indices_[t], b = indices_[t + 1], c = indices_[t + 2];
@@ -218,7 +220,7 @@ class Reader {
   std::map<std::string, std::optional<base::Genus>> looks_, textures_;
   std::optional<base::Genus> look_, shapeLook_;
   std::vector<std::int64_t> indices_;
-  std::vector<float> colors_, points_;
+  std::vector<float> colors_, points_, stated_;
 };
 
 WrittenScene read(ByteSource& source, const std::string& where, const std::string& name,

@@ -2,6 +2,7 @@
 #include "check/gltf/read_splats.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "base/file.hpp"
@@ -14,6 +15,16 @@ using nlohmann::json;
 
 glm::vec3 triple(const std::vector<float>& values, std::size_t i) {
   return {values[3 * i], values[3 * i + 1], values[3 * i + 2]};
+}
+
+/// What the opacity says; where it is nearly 1 it says little more than that, and what the file states beside
+/// it counts, unless that is another opacity.
+float opticalDepthOf(float opacity, float stated) {
+  constexpr float kMostOpaque = 1 - 0x1p-24f;  // the last float before 1
+  constexpr float kAgreeing = 2e-4f;
+  if (stated > 0 && std::isfinite(stated) && std::abs(-std::expm1(-stated) - opacity) < kAgreeing)
+    return stated;
+  return -std::log1p(-std::clamp(opacity, 0.0f, kMostOpaque));
 }
 
 void readPrimitive(const GlbParts& glb, const json& attributes, const glm::vec3& translation,
@@ -29,9 +40,11 @@ void readPrimitive(const GlbParts& glb, const json& attributes, const glm::vec3&
   const bool hasDegree1 = attributes.contains(prefix + "SH_DEGREE_1_COEF_0");
   for (std::size_t k = 0; hasDegree1 && k < 3; ++k)
     harmonics[k] = column(prefix + "SH_DEGREE_1_COEF_" + std::to_string(k), 3);
+  std::vector<float> stated;
+  if (attributes.contains("_OPTICAL_DEPTH")) stated = column("_OPTICAL_DEPTH", 1);
   const std::size_t count = opacities.size();
   bool even = positions.size() == 3 * count && scales.size() == 3 * count && rotations.size() == 4 * count &&
-              base.size() == 3 * count;
+              base.size() == 3 * count && (stated.empty() || stated.size() == count);
   for (const auto& values : harmonics) even = even && (!hasDegree1 || values.size() == 3 * count);
   if (!even) glb.fail("has splat attributes of different lengths");
   for (std::size_t i = 0; i < count; ++i) {
@@ -41,6 +54,7 @@ void readPrimitive(const GlbParts& glb, const json& attributes, const glm::vec3&
     splat.rotation =
         glm::quat(rotations[4 * i + 3], rotations[4 * i], rotations[4 * i + 1], rotations[4 * i + 2]);
     splat.opacity = opacities[i];
+    splat.opticalDepth = opticalDepthOf(splat.opacity, stated.empty() ? 0 : stated[i]);
     splat.color = triple(base, i) * 0.2820947917738781f + 0.5f;
     for (std::size_t k = 0; hasDegree1 && k < 3; ++k) splat.harmonics[k] = triple(harmonics[k], i);
     visit(splat);

@@ -19,6 +19,7 @@ struct ReadSplat {
   glm::vec3 center{0}, sigma{1};
   glm::quat rotation{1, 0, 0, 0};
   float opacity = 0;
+  float opticalDepth = 0;  ///< along the shortest axis: as stated, where that agrees with the opacity
   glm::vec3 color{0};                    ///< degree 0: what it shows from every side
   std::array<glm::vec3, 3> harmonics{};  ///< degree-1 coefficients, zero if the file has none
 };

@@ -39,6 +39,34 @@ scene::Instance relativeTo(const glm::dvec3& center, scene::Instance instance) {
   return instance;
 }
 
+/// Puffs of a cloud thin out to nothing, splats with their opacity: a dense puff is still opaque where a splat
+/// of its deviations is not. How much wider the splat is, so that both cover the same.
+float wideningOf(float opticalDepth) {
+  constexpr float kCovering = 0.01f;  // of one among several whose flanks overlap
+  const auto reachOf = [](float ratio) { return std::sqrt(2 * std::log(std::max(ratio, 1.0f))); };
+  const float wanted = reachOf(opticalDepth / kCovering);
+  float widening = 1;
+  for (int pass = 0; pass < 4; ++pass) {
+    const float opacity = -std::expm1(-opticalDepth / (widening * widening));
+    const float reach = reachOf(opacity / -std::expm1(-kCovering));
+    if (!(reach > 0.5f)) break;  // so thin that all of it is about to go under
+    widening = std::clamp(wanted / reach, 1.0f, 2.0f);
+  }
+  return widening;
+}
+
+/// Across alone: base and top stay where they are.
+shape::Puff widened(shape::Puff puff) {
+  const float by = wideningOf(shape::frontalOpticalDepth(puff));
+  const glm::mat3 axes = glm::mat3_cast(puff.rotation);
+  for (int i = 0; i < 3; ++i) {
+    const float along = glm::mix(by, 1.0f, axes[i].y * axes[i].y);
+    puff.sigma[i] *= along;
+    puff.extinctionPerMeter /= along;
+  }
+  return puff;
+}
+
 /// Light in the encoded colour space in which viewers add harmonics. Looking at an angle with cosine mu to
 /// the sun, a puff shows its colour plus max(0, mu) of what is encoded with the forward light added; degrees
 /// 0 and 1 that fit this best (least squares over the sphere) are a quarter and half of it.
@@ -70,7 +98,7 @@ std::vector<Splat> splatsOf(const scene::Scene& scene, const scene::Tile& tile) 
     const scene::LitArchetype& lit = scene.lit[cloud.lit];
     const auto& puffs = scene.archetypes[lit.archetype].puffs;
     for (std::uint32_t p = 0; p < lit.puffs.size(); ++p) {
-      const shape::Puff puff = scene::placed(scene, cloud, puffs[p]);
+      const shape::Puff puff = widened(scene::placed(scene, cloud, puffs[p]));
       if (splatOpacity(puff) >= kLeastOpacity)
         places.push_back({mortonOf(puff.center, lower, metersPerStep), i, p});
     }
@@ -82,8 +110,10 @@ std::vector<Splat> splatsOf(const scene::Scene& scene, const scene::Tile& tile) 
   for (const Place& place : places) {
     const scene::Instance cloud = relativeTo(center, scene.instances[place.instance]);
     const scene::LitArchetype& lit = scene.lit[cloud.lit];
-    const shape::Puff puff = scene::placed(scene, cloud, scene.archetypes[lit.archetype].puffs[place.puff]);
-    Splat splat{puff.center, puff.sigma, glm::normalize(puff.rotation), splatOpacity(puff)};
+    const shape::Puff puff =
+        widened(scene::placed(scene, cloud, scene.archetypes[lit.archetype].puffs[place.puff]));
+    Splat splat{puff.center, puff.sigma, glm::normalize(puff.rotation), splatOpacity(puff),
+                shape::frontalOpticalDepth(puff)};
     shade(splat, light::inShadow(lit.puffs[place.puff], cloud.sunlight), scene.sun);
     splats.push_back(splat);
   }

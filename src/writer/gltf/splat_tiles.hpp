@@ -21,6 +21,7 @@ struct Splat {
   glm::vec3 center{0}, sigma{1};
   glm::quat rotation{1, 0, 0, 0};
   float opacity = 0;
+  float opticalDepth = 0;   ///< through the centre, along the shortest axis
   glm::vec3 color{0};       ///< sRGB-encoded, 0..1: what degree 0 stands for
   glm::vec3 towardsSun{0};  ///< sRGB-encoded: what degree 1 adds at full when one looks straight at the sun
 };

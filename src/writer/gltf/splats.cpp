@@ -14,8 +14,10 @@ using namespace gltf;
 
 // Real spherical harmonics of degree 0 and 1; the Condon-Shortley sign of the basis is in harmonicsTowards.
 constexpr float kHarmonic0 = 0.2820947917738781f, kHarmonic1 = 0.4886025119029199f;
-constexpr std::uint64_t kBytesOfSplat = 12 + 16 + 12 + 4 + 12 + 3 * 12 + 4;
+constexpr std::uint64_t kBytesOfSplat = 12 + 16 + 12 + 4 + 12 + 3 * 12 + 4 + 4;
 constexpr const char* kExtension = "KHR_gaussian_splatting";
+/// What is denser is opaque to the eye, and its opacity, a float just below 1, says no more how dense it is.
+constexpr float kOpaqueOpticalDepth = 8;
 
 /// Factors of the degree-1 coefficients for light that grows with the cosine between view and `direction`:
 /// the basis is -y, +z, -x of the direction from the camera to the splat.
@@ -71,6 +73,10 @@ Attributes addSplats(GlbFile& file, std::span<const Splat> splats, const light::
         semantic(fmt::format("SH_DEGREE_1_COEF_{}", i)),
         addColumn(file, splats, column, [&](const Splat& s) { return tuple(s.towardsSun * towardsSun[i]); }));
   attributes.emplace_back("COLOR_0", addFallbackColors(file, splats));
+  if (std::ranges::any_of(splats, [](const Splat& s) { return s.opticalDepth > kOpaqueOpticalDepth; }))
+    attributes.emplace_back("_OPTICAL_DEPTH", addColumn(file, splats, column, [](const Splat& s) {
+                              return std::array{s.opticalDepth};
+                            }));
   return attributes;
 }
 

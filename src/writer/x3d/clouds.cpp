@@ -19,7 +19,6 @@ constexpr std::size_t kMostClusters = 24;  ///< parts of a cloud seen from near
 constexpr float kNearSizes = 6;      ///< a cloud is drawn in full up to this many times its own size away
 constexpr double kLiveClouds = 120;  ///< clouds that are drawn one by one around the viewer, about
 constexpr double kFullClouds = 30;   ///< clouds that are drawn in full around the viewer, about
-constexpr float kDensest = 5;        ///< optical depth that an opacity of three decimals can still tell
 constexpr std::size_t kFarPuffs = 24000;  ///< puffs in the far shapes of all tiles together, about
 
 /// view3dscene 4.2 refuses the field `level` of VRML97's LOD, and the standard any other name for it: VRML97
@@ -271,11 +270,24 @@ class CloudWalk {
                      lowest, highest));
   }
 
-  /// A flat puff would be one level quad, without base and top: two halves of it, as far apart as a uniform
-  /// layer of its depth begins and ends. One that is not flat stays as it is.
-  static std::vector<shape::Puff> topAndBottom(const shape::Puff& puff) {
-    constexpr float kFlat = 0.5f, kAway = 1.5f, kThinner = 0.2f;
-    if (puff.sigma.y > kFlat * std::min(puff.sigma.x, puff.sigma.z)) return {puff};
+  /// A puff in parts whose level quads tell its base and top. A flat one would be a single level quad: two
+  /// halves, as far apart as a uniform layer of its depth begins and ends. A tall one would have none: a stack
+  /// of parts that are as high as they are wide.
+  static std::vector<shape::Puff> inLevels(const shape::Puff& puff) {
+    constexpr float kFlat = 0.5f, kAway = 1.5f, kThinner = 0.2f, kTall = 1.3f, kMostParts = 6;
+    const float across = std::min(puff.sigma.x, puff.sigma.z);
+    if (puff.sigma.y > kTall * across) {
+      const float parts = std::clamp(std::round(puff.sigma.y / across), 2.0f, kMostParts);
+      std::vector<shape::Puff> stack(static_cast<std::size_t>(parts), puff);
+      for (std::size_t i = 0; i < stack.size(); ++i) {
+        stack[i].sigma.y /= parts;
+        // Evenly spaced, so that together they are as high as the whole.
+        const float steps = static_cast<float>(i) - 0.5f * (parts - 1);
+        stack[i].center += puff.rotation * glm::vec3(0, steps * std::sqrt(12.0f) * stack[i].sigma.y, 0);
+      }
+      return stack;
+    }
+    if (puff.sigma.y > kFlat * across) return {puff};
     std::vector<shape::Puff> halves(2, puff);
     for (std::size_t i = 0; i < 2; ++i) {
       halves[i].center += puff.rotation * glm::vec3(0, (i == 0 ? -kAway : kAway) * puff.sigma.y, 0);
@@ -293,15 +305,13 @@ class CloudWalk {
       const scene::Instance& instance = scene_.instances[i];
       const scene::LitArchetype& lit = scene_.lit[instance.lit];
       const scene::Archetype& archetype = archetypeOf(instance);
-      const bool far = !archetype.farPuffs.empty();
-      const auto& source = far ? archetype.farPuffs : archetype.puffs;
-      const auto& lights = far ? lit.farPuffs : lit.puffs;
+      const std::span<const shape::Puff> source =
+          inParts ? std::span(archetype.farPuffs) : std::span(&archetype.onePuff, 1);
+      const std::span<const light::PuffLight> lights =
+          inParts ? std::span(lit.farPuffs) : std::span(&lit.onePuff, 1);
       std::vector<LitPuff> placed;
       for (size_t p = 0; p < source.size(); ++p)
-        placed.push_back(
-            {scene::placed(scene_, instance, source[p]), p < lights.size() ? lights[p].color : glm::vec3(1)});
-      if (placed.empty()) continue;
-      if (!inParts || !far) placed = {merged(placed)};
+        placed.push_back({scene::placed(scene_, instance, source[p]), lights[p].color});
       auto& all = puffs[archetype.genus];
       // From afar nobody tells how dense a cloud is, or where within it: one quad less to blend.
       if (range == Range::Far) {
@@ -309,9 +319,7 @@ class CloudWalk {
         continue;
       }
       for (const LitPuff& whole : placed)
-        for (const shape::Puff& side : topAndBottom(whole.puff))
-          for (const shape::Puff& part : shape::divided(std::span(&side, 1), kDensest))
-            all.push_back({part, whole.color});
+        for (const shape::Puff& part : inLevels(whole.puff)) all.push_back({part, whole.color});
     }
     for (const auto& [genus, all] : puffs)
       shapes_.write(genus, crossedQuads(all, glm::vec3(0), shapes_.atlas(genus)));

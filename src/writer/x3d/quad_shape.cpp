@@ -33,12 +33,18 @@ float rounded(float value, int decimals) {
   return std::round(value * steps) / steps;
 }
 
-constexpr int kColorDecimals = 3, kAlphaDecimals = 7;
+constexpr int kColorDecimals = 3, kAlphaDecimals = 5;
+/// What is denser is opaque to the eye, and alpha says no more how dense it is.
+constexpr float kOpaqueOpticalDepth = 5;
 
 /// As many decimals as tell how much shines through a dense quad.
 float writtenAlpha(float alpha) {
   const int nines = alpha < 1 ? static_cast<int>(-std::log10(1 - alpha)) : kAlphaDecimals;
   return rounded(alpha, std::min(kColorDecimals + nines, kAlphaDecimals));
+}
+
+bool isOpaque(const Quad& quad) {
+  return quad.opticalDepth > kOpaqueOpticalDepth && -std::expm1(-quad.opticalDepth) <= quad.color.a;
 }
 
 void append(std::vector<float>& out, const glm::vec3& v) { out.insert(out.end(), {v.x, v.y, v.z}); }
@@ -93,7 +99,8 @@ void QuadShapes::appearance(base::Genus genus, const glm::vec4* material) {
 void QuadShapes::shape(base::Genus genus, const QuadMesh& mesh, std::span<const std::uint32_t> faces,
                        const glm::vec4* material) {
   const bool vrml97 = nodes_.encoding() == Encoding::Vrml97;
-  std::vector<float> points, textureBoxes, colors;
+  std::vector<float> points, textureBoxes, colors, opticalDepths;
+  bool hasOpaque = false;
   std::vector<std::int32_t> indices, first(mesh.quads.size(), -1);
   for (const std::uint32_t face : faces) {
     const Quad& quad = mesh.quads[face / 2];
@@ -101,6 +108,8 @@ void QuadShapes::shape(base::Genus genus, const QuadMesh& mesh, std::span<const 
     if (start < 0) {
       start = static_cast<std::int32_t>(points.size() / 3);
       const glm::vec4& box = quad.textureBox;
+      hasOpaque = hasOpaque || isOpaque(quad);
+      opticalDepths.push_back(isOpaque(quad) ? quad.opticalDepth : 0.0f);
       append(points, quad.center - quad.right - quad.up);
       append(points, quad.center + quad.right - quad.up);
       append(points, quad.center + quad.right + quad.up);
@@ -122,6 +131,12 @@ void QuadShapes::shape(base::Genus genus, const QuadMesh& mesh, std::span<const 
   appearance(genus, material);
   nodes_.open(vrml97 ? "IndexedFaceSet" : "IndexedTriangleSet", "geometry");
   nodes_.integers(vrml97 ? "coordIndex" : "index", indices);
+  if (hasOpaque && !vrml97) {
+    nodes_.open("MetadataFloat", "metadata");
+    nodes_.string("name", "optical_depth");
+    nodes_.numbers("value", opticalDepths, 1, 1);
+    nodes_.close();
+  }
   if (!material) {
     nodes_.open(vrml97 ? "Color" : "ColorRGBA", "color");
     nodes_.numbers("color", colors, vrml97 ? 3 : 4, vrml97 ? kColorDecimals : kAlphaDecimals);

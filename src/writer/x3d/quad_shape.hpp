@@ -23,7 +23,8 @@ class QuadShapes {
   /// One Shape in the open node's children, more of them if there are more than kFacesPerShape faces; none
   /// for no face. Colours are unlit: X3D has an RGBA colour a vertex and no Material. VRML97 knows no opacity
   /// a vertex: there a mesh that is thin on the whole gets one translucent emissive Material, any other its
-  /// colours without their opacity.
+  /// colours without their opacity. X3D tells the optical depth of quads beside it, in order (0 where alpha
+  /// tells it), if some are so dense that alpha cannot.
   void write(base::Genus genus, const QuadMesh& mesh);
 
   const image::SpriteAtlas& atlas(base::Genus genus) const { return image::atlasOf(atlases_, genus); }

@@ -25,18 +25,18 @@ constexpr float kUprightShare = 0.7f;
 
 /// How much wider than its puff a quad is: dense puffs cover ground far out on their flanks.
 float wideningOf(float opticalDepth) {
-  constexpr float kCovering = 0.1f, kMost = 1.2f;
+  constexpr float kCovering = 0.1f, kMost = 1.6f;
   const float covers = std::sqrt(2 * std::log(std::max(1.0f, opticalDepth / kCovering)));
   return kWidening * std::clamp(covers / (kWidening * kSpriteReach), 1.0f, kMost);
 }
 
-/// Opacity of a quad that is so much wider than a puff of an optical depth through its centre.
-float opacityOf(float opticalDepth, float widening) {
-  return -std::expm1(-opticalDepth / (kWithinBorder * widening * widening));
+/// Of a quad that is so much wider than a puff of an optical depth through its centre.
+float opticalDepthOfQuad(float opticalDepth, float widening) {
+  return opticalDepth / (kWithinBorder * widening * widening);
 }
 
-glm::vec4 colorOf(const LitPuff& lit, float opticalDepth, float widening) {
-  return glm::vec4(light::srgbFromLinear(lit.color), opacityOf(opticalDepth, widening));
+glm::vec4 colorOf(const LitPuff& lit, float opticalDepth) {
+  return glm::vec4(light::srgbFromLinear(lit.color), -std::expm1(-opticalDepth));
 }
 
 glm::mat3 covariance(const shape::Puff& puff) {
@@ -90,11 +90,12 @@ QuadMesh facingQuads(const std::vector<LitPuff>& puffs, const glm::vec3& origin,
     const double area = 2 * std::numbers::pi * glm::length(axes[0]) * glm::length(axes[1]);
     const auto opticalDepth = static_cast<float>(shape::extinctionArea(puff) / std::max(area, 1e-6));
     const float widening = wideningOf(opticalDepth), reach = widening * kSpriteReach;
-    const glm::vec4 color = colorOf(puffs[i], opticalDepth, widening);
+    const float drawnDepth = opticalDepthOfQuad(opticalDepth, widening);
+    const glm::vec4 color = colorOf(puffs[i], drawnDepth);
     if (color.a < kFaintest) continue;
     mesh.faces.push_back(static_cast<std::uint32_t>(2 * mesh.quads.size()));
     mesh.quads.push_back({puff.center - origin, reach * axes[0], reach * axes[1],
-                          atlas.textureBox(puff.sprite % atlas.tiles()), color});
+                          atlas.textureBox(puff.sprite % atlas.tiles()), color, drawnDepth});
   }
   return mesh;
 }
@@ -113,14 +114,15 @@ QuadMesh crossedQuads(const std::vector<LitPuff>& puffs, const glm::vec3& origin
       if (areas[plane] < kSmallestPlane * largest) continue;
       const float opticalDepth = shape::centralOpticalDepth(lit.puff.extinctionPerMeter, s[i]);
       const float widening = wideningOf(opticalDepth), reach = widening * kSpriteReach;
-      glm::vec4 color = colorOf(lit, opticalDepth, widening);
+      const float drawnDepth = opticalDepthOfQuad(opticalDepth, widening);
+      glm::vec4 color = colorOf(lit, drawnDepth);
       if (std::abs(axes[i].y) < 0.5f) color.a *= kUprightShare;
       if (color.a < kFaintest) continue;
       int right = (i + 1) % 3, up = (i + 2) % 3;
       if (std::abs(axes[right].y) > std::abs(axes[up].y)) std::swap(right, up);
       mesh.quads.push_back({lit.puff.center - origin, reach * s[right] * axes[right],
                             reach * s[up] * axes[up], atlas.textureBox(lit.puff.sprite % atlas.tiles()),
-                            color});
+                            color, drawnDepth});
     }
   }
   struct Face {
@@ -143,31 +145,6 @@ QuadMesh crossedQuads(const std::vector<LitPuff>& puffs, const glm::vec3& origin
   });
   for (const Face& face : faces) mesh.faces.push_back(face.face);
   return mesh;
-}
-
-LitPuff merged(const std::vector<LitPuff>& puffs) {
-  LitPuff one = puffs.front();
-  double whole = 0;
-  glm::dvec3 center(0), square(0), color(0);
-  for (const LitPuff& lit : puffs) {
-    const double weight = shape::extinctionArea(lit.puff);
-    const glm::mat3 spread = covariance(lit.puff);
-    const glm::dvec3 at(lit.puff.center);
-    whole += weight;
-    center += weight * at;
-    square += weight * (at * at + glm::dvec3(spread[0][0], spread[1][1], spread[2][2]));
-    color += weight * glm::dvec3(lit.color);
-  }
-  if (whole <= 0) return one;
-  center /= whole;
-  const glm::dvec3 variance = glm::max(square / whole - center * center, glm::dvec3(1));
-  one.puff.center = glm::vec3(center);
-  one.puff.sigma = glm::vec3(glm::sqrt(variance));
-  one.puff.rotation = glm::quat(1, 0, 0, 0);
-  one.puff.extinctionPerMeter = 1;
-  one.puff.extinctionPerMeter = static_cast<float>(whole / shape::extinctionArea(one.puff));
-  one.color = glm::vec3(color / whole);
-  return one;
 }
 
 }  // namespace cloudgen::writer

@@ -16,6 +16,7 @@ struct Quad {
   glm::vec3 center{0}, right{0}, up{0};  ///< half-sides
   glm::vec4 textureBox{0};               ///< u0, v0, u1, v1
   glm::vec4 color{1};                    ///< sRGB code values and opacity, 0..1
+  float opticalDepth = 0;                ///< of the centre; what the opacity is made of
 };
 
 /// Quads and the order in which their faces are drawn: 2 i for the front of quad i, 2 i + 1 for its back.
@@ -41,8 +42,5 @@ QuadMesh facingQuads(const std::vector<LitPuff>& puffs, const glm::vec3& origin,
 /// ones.
 QuadMesh crossedQuads(const std::vector<LitPuff>& puffs, const glm::vec3& origin,
                       const image::SpriteAtlas& atlas);
-
-/// One puff with the extent, mean place, colour and extinction area of many; its axes are those of the frame.
-LitPuff merged(const std::vector<LitPuff>& puffs);
 
 }  // namespace cloudgen::writer

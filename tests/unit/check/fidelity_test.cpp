@@ -44,7 +44,7 @@ TEST(Fidelity, PopulatedColumnsAreScoredApart) {
   EXPECT_GT(told.cover.total.rmse, 0.04);
   EXPECT_FALSE(breaks(told, "cover.populated.total.rmse"));
   // Every column half a tenth off: too much for populated ones.
-  for (Blob& blob : sky.scene.blobs) blob.strength *= 0.6f;
+  for (Blob& blob : sky.scene.blobs) blob.opacity *= 0.7f;
   told = sky.verified();
   EXPECT_TRUE(breaks(told, "cover.populated.total.bias"));
   sky.scene.clouds.clear();

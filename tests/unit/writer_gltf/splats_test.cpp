@@ -90,9 +90,12 @@ TEST(Splats, EveryVisiblePuffIsASplatAtItsPlace) {
       return glm::distance(a.center, puff.center) < glm::distance(b.center, puff.center);
     });
     EXPECT_LT(glm::distance(found->center, puff.center), 0.01f);
-    EXPECT_LT(glm::distance(found->sigma, puff.sigma), 1e-3f);
+    for (int axis = 0; axis < 3; ++axis) {
+      EXPECT_GE(found->sigma[axis], puff.sigma[axis] - 1e-3f) << "never narrower than the puff";
+      EXPECT_LT(found->sigma[axis], 1.4f * puff.sigma[axis]);
+    }
     EXPECT_GT(std::abs(glm::dot(found->rotation, puff.rotation)), 0.99999f);
-    EXPECT_NEAR(found->opacity, 1 - std::exp(-shape::frontalOpticalDepth(puff)), 1e-5);
+    EXPECT_LE(found->opacity, 1 - std::exp(-shape::frontalOpticalDepth(puff)) + 1e-5);
     EXPECT_NEAR(found->fallback.a, found->opacity, 0.5 / 255 + 1e-6);
     splats.erase(found);
   }

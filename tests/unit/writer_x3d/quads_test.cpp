@@ -77,15 +77,6 @@ TEST(CrossedQuads, FromAboveHighCardsComeLastAndFromBelowLowOnes) {
   EXPECT_EQ(fromBelow, (std::vector<float>{300, 100}));
 }
 
-TEST(Merged, KeepsPlaceExtentAndExtinctionArea) {
-  const std::vector<LitPuff> pair{puffAt({-300, 100, 0}, glm::vec3(40)),
-                                  puffAt({300, 100, 0}, glm::vec3(40))};
-  const LitPuff one = merged(pair);
-  EXPECT_NEAR(one.puff.center.x, 0, 1e-2);
-  EXPECT_NEAR(one.puff.sigma.x, std::hypot(300.0, 40.0), 0.1);
-  EXPECT_NEAR(shape::extinctionArea(one.puff), 2 * shape::extinctionArea(pair[0].puff), 1);
-}
-
 TEST(Srgb, KnownValuesAndClamp) {
   const glm::vec3 encoded = light::srgbFromLinear({0.0f, 0.2140f, 3.0f});
   EXPECT_FLOAT_EQ(encoded.x, 0);
