@@ -170,8 +170,9 @@ void Canvas::brush(const Stamp& stamp, float sign, Stroke& stroke) {
   const glm::dvec2 &lower = stamp.footprint->lower(), &upper = stamp.footprint->upper();
   for (int row = pixelBelow(at.y - reachPixels); row <= pixelBelow(at.y + reachPixels); ++row) {
     const double dz = row + 0.5 - at.y;
-    const Span span = both(lineWithin(cosine, -sine * dz, lower.x, upper.x),
-                           both(lineWithin(sine, cosine * dz, lower.y, upper.y), {-reachPixels, reachPixels}));
+    const Span span =
+        both(lineWithin(cosine, -sine * dz, lower.x, upper.x),
+             both(lineWithin(sine, cosine * dz, lower.y, upper.y), {-reachPixels, reachPixels}));
     if (!(span.from <= span.to)) continue;
     for (int column = pixelBelow(at.x + span.from); column <= pixelBelow(at.x + span.to); ++column) {
       const double dx = column + 0.5 - at.x;

@@ -199,13 +199,12 @@ class Fitting {
     return true;
   }
 
-  /// A layer whose ground its neighbours' clouds cover already still has its water: one cloud holds it, at the
-  /// width that can and that takes the canvas least further from what is wanted.
+  /// A layer whose ground its neighbours' clouds cover already still has its water: one cloud holds it, at
+  /// the width that can and that takes the canvas least further from what is wanted.
   void takeOne(Filling& filling, std::uint32_t number) {
     const field::Layer& layer = layers_[filling.layer];
     const Candidate& candidate = filling.candidates.list[number];
-    const double water =
-        canvas_.layers()[filling.painted].wantedOpticalDepth * canvas_.pixelSquareMeters();
+    const double water = canvas_.layers()[filling.painted].wantedOpticalDepth * canvas_.pixelSquareMeters();
     std::optional<Stamp> best;
     double least = 0;
     for (const double share : kShares) {

@@ -118,10 +118,10 @@ glm::vec2 Footprint::halfSides() const {
 }
 
 Footprint footprintOf(const Blob& blob, std::span<const Pivot> pivots, const View& view) {
-  Footprint out =
-      blob.kind == BlobKind::Volume ? footprintOfVolume(blob, view)
-      : blob.kind == BlobKind::Card ? footprintOfCard(blob, blob.center, blob.right(), blob.up(), view)
-                                    : footprintOfTurning(blob, pivots[blob.pivot], view);
+  Footprint out = blob.kind == BlobKind::Volume ? footprintOfVolume(blob, view)
+                  : blob.kind == BlobKind::Card
+                      ? footprintOfCard(blob, blob.center, blob.right(), blob.up(), view)
+                      : footprintOfTurning(blob, pivots[blob.pivot], view);
   out.opacity = blob.opacity;
   return out;
 }

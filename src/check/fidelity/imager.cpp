@@ -107,8 +107,7 @@ ColumnView Imager::look(std::span<const glm::dvec2> rays, const ModelColumn& col
       profile.addGaussian(height, blob.heightDeviation, depth);
     }
     if (ray.drawn > kCloudyOpticalDepth) seen.cover += 1;
-    const std::array<double, kRanges> parts{ray.drawnBelow[0],
-                                            ray.drawnBelow[1] - ray.drawnBelow[0],
+    const std::array<double, kRanges> parts{ray.drawnBelow[0], ray.drawnBelow[1] - ray.drawnBelow[0],
                                             ray.drawn - ray.drawnBelow[1]};
     for (std::size_t range = 0; range < kRanges; ++range)
       if (parts[range] > kCloudyOpticalDepth) seen.coverIn[range] += 1;

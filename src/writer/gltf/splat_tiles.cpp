@@ -6,6 +6,7 @@
 
 #include "light/color.hpp"
 #include "light/shade.hpp"
+#include "shape/blending.hpp"
 
 namespace cloudgen::writer::gltf {
 namespace {
@@ -39,25 +40,10 @@ scene::Instance relativeTo(const glm::dvec3& center, scene::Instance instance) {
   return instance;
 }
 
-/// Puffs of a cloud thin out to nothing, splats with their opacity: a dense puff is still opaque where a splat
-/// of its deviations is not. How much wider the splat is, so that both cover the same.
-float wideningOf(float opticalDepth) {
-  constexpr float kCovering = 0.01f;  // of one among several whose flanks overlap
-  const auto reachOf = [](float ratio) { return std::sqrt(2 * std::log(std::max(ratio, 1.0f))); };
-  const float wanted = reachOf(opticalDepth / kCovering);
-  float widening = 1;
-  for (int pass = 0; pass < 4; ++pass) {
-    const float opacity = -std::expm1(-opticalDepth / (widening * widening));
-    const float reach = reachOf(opacity / -std::expm1(-kCovering));
-    if (!(reach > 0.5f)) break;  // so thin that all of it is about to go under
-    widening = std::clamp(wanted / reach, 1.0f, 2.0f);
-  }
-  return widening;
-}
-
 /// Across alone: base and top stay where they are.
 shape::Puff widened(shape::Puff puff) {
-  const float by = wideningOf(shape::frontalOpticalDepth(puff));
+  constexpr float kCovering = 0.01f;  // many overlap
+  const float by = shape::blendedWidening(shape::frontalOpticalDepth(puff), kCovering);
   const glm::mat3 axes = glm::mat3_cast(puff.rotation);
   for (int i = 0; i < 3; ++i) {
     const float along = glm::mix(by, 1.0f, axes[i].y * axes[i].y);

@@ -270,31 +270,21 @@ class CloudWalk {
                      lowest, highest));
   }
 
-  /// A puff in parts whose level quads tell its base and top. A flat one would be a single level quad: two
-  /// halves, as far apart as a uniform layer of its depth begins and ends. A tall one would have none: a stack
-  /// of parts that are as high as they are wide.
-  static std::vector<shape::Puff> inLevels(const shape::Puff& puff) {
-    constexpr float kFlat = 0.5f, kAway = 1.5f, kThinner = 0.2f, kTall = 1.3f, kMostParts = 6;
-    const float across = std::min(puff.sigma.x, puff.sigma.z);
-    if (puff.sigma.y > kTall * across) {
-      const float parts = std::clamp(std::round(puff.sigma.y / across), 2.0f, kMostParts);
-      std::vector<shape::Puff> stack(static_cast<std::size_t>(parts), puff);
-      for (std::size_t i = 0; i < stack.size(); ++i) {
-        stack[i].sigma.y /= parts;
-        // Evenly spaced, so that together they are as high as the whole.
-        const float steps = static_cast<float>(i) - 0.5f * (parts - 1);
-        stack[i].center += puff.rotation * glm::vec3(0, steps * std::sqrt(12.0f) * stack[i].sigma.y, 0);
-      }
-      return stack;
+  /// Level quads have no thickness: several, from where a uniform layer of the puff's depth begins to where
+  /// it ends, tell base and top, and each height between that they are far apart.
+  static void addLevels(const LitPuff& whole, std::vector<LitPuff>& out) {
+    constexpr float kAway = 1.5f, kThin = 0.02f, kStepMeters = 1500;
+    const float reach = kAway * whole.puff.sigma.y;
+    const int levels = std::clamp(1 + static_cast<int>(std::lround(2 * reach / kStepMeters)), 2, 6);
+    for (int i = 0; i < levels; ++i) {
+      LitPuff level = whole;
+      level.planes = Planes::Level;
+      level.puff.center +=
+          whole.puff.rotation * glm::vec3(0, reach * (2.0f * static_cast<float>(i) / (levels - 1) - 1), 0);
+      level.puff.sigma.y *= kThin;
+      level.puff.extinctionPerMeter /= kThin * static_cast<float>(levels);
+      out.push_back(level);
     }
-    if (puff.sigma.y > kFlat * across) return {puff};
-    std::vector<shape::Puff> halves(2, puff);
-    for (std::size_t i = 0; i < 2; ++i) {
-      halves[i].center += puff.rotation * glm::vec3(0, (i == 0 ? -kAway : kAway) * puff.sigma.y, 0);
-      halves[i].sigma.y *= kThinner;
-      halves[i].extinctionPerMeter *= 0.5f / kThinner;
-    }
-    return halves;
   }
 
   /// Clouds as crossed cards, one Shape a genus, in the scene frame.
@@ -318,8 +308,11 @@ class CloudWalk {
         all.insert(all.end(), placed.begin(), placed.end());
         continue;
       }
-      for (const LitPuff& whole : placed)
-        for (const shape::Puff& part : inLevels(whole.puff)) all.push_back({part, whole.color});
+      for (LitPuff& whole : placed) {
+        addLevels(whole, all);
+        whole.planes = Planes::Upright;
+        all.push_back(whole);
+      }
     }
     for (const auto& [genus, all] : puffs)
       shapes_.write(genus, crossedQuads(all, glm::vec3(0), shapes_.atlas(genus)));

@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "light/color.hpp"
+#include "shape/blending.hpp"
 
 namespace cloudgen::writer {
 namespace {
@@ -23,11 +24,9 @@ constexpr float kWithinBorder = 0.9451f;
 /// Opacity of upright planes: edge-on, from above, they show as needles.
 constexpr float kUprightShare = 0.7f;
 
-/// How much wider than its puff a quad is: dense puffs cover ground far out on their flanks.
 float wideningOf(float opticalDepth) {
-  constexpr float kCovering = 0.1f, kMost = 1.6f;
-  const float covers = std::sqrt(2 * std::log(std::max(1.0f, opticalDepth / kCovering)));
-  return kWidening * std::clamp(covers / (kWidening * kSpriteReach), 1.0f, kMost);
+  constexpr float kCovering = 0.07f;  // few overlap
+  return std::max(kWidening, shape::blendedWidening(opticalDepth, kCovering));
 }
 
 /// Of a quad that is so much wider than a puff of an optical depth through its centre.
@@ -111,12 +110,14 @@ QuadMesh crossedQuads(const std::vector<LitPuff>& puffs, const glm::vec3& origin
     const float largest = std::max({areas[0], areas[1], areas[2]});
     for (int i = 0; i < 3; ++i) {
       const size_t plane = static_cast<size_t>(i);
-      if (areas[plane] < kSmallestPlane * largest) continue;
+      if (areas[plane] < kSmallestPlane * largest && lit.planes != Planes::Level) continue;
+      const bool upright = std::abs(axes[i].y) < 0.5f;
+      if (lit.planes == (upright ? Planes::Level : Planes::Upright)) continue;
       const float opticalDepth = shape::centralOpticalDepth(lit.puff.extinctionPerMeter, s[i]);
       const float widening = wideningOf(opticalDepth), reach = widening * kSpriteReach;
       const float drawnDepth = opticalDepthOfQuad(opticalDepth, widening);
       glm::vec4 color = colorOf(lit, drawnDepth);
-      if (std::abs(axes[i].y) < 0.5f) color.a *= kUprightShare;
+      if (upright) color.a *= kUprightShare;
       if (color.a < kFaintest) continue;
       int right = (i + 1) % 3, up = (i + 2) % 3;
       if (std::abs(axes[right].y) > std::abs(axes[up].y)) std::swap(right, up);

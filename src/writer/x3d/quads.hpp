@@ -25,10 +25,14 @@ struct QuadMesh {
   std::vector<std::uint32_t> faces;
 };
 
+/// Which of a puff's crossed quads are drawn.
+enum class Planes : unsigned char { All, Level, Upright };
+
 /// A puff to be drawn, with its light in display-linear RGB.
 struct LitPuff {
   shape::Puff puff;
   glm::vec3 color{1};
+  Planes planes = Planes::All;
 };
 
 /// One quad a puff, laid out for a Billboard with its origin at `origin`: seen along -Z, back to front, no

@@ -12,14 +12,14 @@ namespace cloudgen::check::test {
 namespace {
 
 /// A square card of 44 m in the xy-plane (or, level, in the xz-plane) with an opacity.
-std::string card(const std::string& index, double alpha, bool level = false) {
+std::string card(const std::string& index, double alpha, bool level = false, const std::string& beside = {}) {
   const std::string points =
       level ? "-22 0 22 22 0 22 22 0 -22 -22 0 -22" : "-22 -22 0 22 -22 0 22 22 0 -22 22 0";
   std::string colors;
   for (int i = 0; i < 4; ++i) colors += "1 1 1 " + std::to_string(alpha) + " ";
   return "<Shape><Appearance DEF='Look_Cu'><ImageTexture url='\"textures/cumulus.png\"'/></Appearance>"
          "<IndexedTriangleSet index='" +
-         index + "'><ColorRGBA color='" + colors + "'/><Coordinate point='" + points +
+         index + "'>" + beside + "<ColorRGBA color='" + colors + "'/><Coordinate point='" + points +
          "'/></IndexedTriangleSet></Shape>";
 }
 
@@ -89,6 +89,17 @@ TEST(X3dScene, OpaqueCardsHideHowDenseTheyAre) {
   const WrittenScene fine = read(card(kFront, 1, true) + card(kFront, 0.9999, true));
   EXPECT_EQ(fine.saturated, 1u);
   EXPECT_NEAR(fine.blobs[0].strength, 9.2, 0.1);
+}
+
+TEST(X3dScene, TheOpticalDepthBesideAnOpaqueCardCountsWhereItIsThatOpaque) {
+  const auto told = [](double alpha, const std::string& stated) {
+    return read(card(kFront, alpha, true, "<MetadataFloat name='optical_depth' value='" + stated + "'/>"));
+  };
+  EXPECT_EQ(told(0.99999, "31.5").saturated, 0u);
+  EXPECT_FLOAT_EQ(told(0.99999, "31.5").blobs.front().strength, 31.5);
+  // Halved in its opacity alone, or told of another thinner card: the eye decides.
+  EXPECT_NEAR(told(0.5, "31.5").blobs.front().strength, std::log(2), 1e-5);
+  EXPECT_NEAR(told(0.9, "0").blobs.front().strength, std::log(10), 1e-5);
 }
 
 TEST(X3dScene, OtherShapesAreNoClouds) { EXPECT_TRUE(readX3dScene(goodScene(), "good.x3d").blobs.empty()); }

@@ -15,7 +15,8 @@ namespace cloudgen::writer {
 namespace {
 
 TEST(ReadBack, SeesEveryPuffWhereTheSceneHasIt) {
-  const scene::Scene scene = test::gltfScene();
+  scene::Scene scene = test::gltfScene();
+  scene.archetypes[0].puffs[0].extinctionPerMeter = 2;  // far denser than an opacity can tell
   const test::Scratch folder;
   writeSplats(scene, {folder.path(), {}});
   const check::SplatFile file = check::readSplats(folder.path() / "scene.splats.glb");
