@@ -13,7 +13,7 @@ import {serve} from './lib/server.mjs';
 import {until} from './checks/drawing.mjs';
 
 const HOURS = [6, 9, 12, 15, 18];
-const SIZE = {width: 480, height: 270};
+const SIZE = {width: 384, height: 216};
 const SECONDS = 120;
 const FIELD_OF_VIEW = Math.PI / 4;
 
