@@ -21,13 +21,15 @@ forecast=$(gfs_file)
 mkdir -p out
 make_sky() {
   local name=$1 box=$2
+  shift 2
   say "Compiling out/$name: the clouds of $(basename "$forecast") in $box"
-  "$cloudgen" build "$forecast" --bbox "$box" -o "out/$name" --overwrite
+  "$cloudgen" build "$forecast" --bbox "$box" -o "out/$name" --overwrite "$@"
   "$cloudgen" validate "out/$name/scene.x3d"
   "$cloudgen" preview "out/$name" -o "out/$name/preview.png"
 }
 make_sky theatre "$theatre_box"
-make_sky regional "$regional_box"
+# There it is night at the time of the forecast.
+make_sky regional "$regional_box" --sun 215,30
 
 say "Done. Open in a browser (a double-click will do):"
 for name in theatre regional; do

@@ -150,9 +150,10 @@ glm::vec3 Backdrop::groundColor(const glm::dvec3& point, double distance) const 
   // The shadow was thrown on the flat ground: higher ground meets it earlier along the sun.
   const double up =
       (point.y - surroundings_.groundHeightMeters) / std::max(0.14f, surroundings_.sun.direction.y);
-  const float lit = std::exp(-0.55f * shadowAt(point.x - surroundings_.sun.direction.x * up,
-                                               point.z - surroundings_.sun.direction.z * up));
-  return ground * (0.38f + 0.72f * lit);
+  const float vertical =
+      shadowAt(point.x - surroundings_.sun.direction.x * up, point.z - surroundings_.sun.direction.z * up);
+  const float slant = vertical / std::max(0.14f, surroundings_.sun.direction.y);
+  return 1.1f * ground * light::groundDimming(slant, surroundings_.sun, surroundings_.sky);
 }
 
 glm::vec3 Backdrop::radianceAlong(const glm::dvec3& eye, const glm::dvec3& direction) const {

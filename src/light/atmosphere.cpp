@@ -14,9 +14,9 @@ namespace {
 
 constexpr double kEarthMeters = 6'371'000, kTopMeters = 80'000;
 constexpr double kAirMeters = 8000, kAerosolMeters = 1200, kAerosolAsymmetry = 0.76;
-const glm::dvec3 kAir(5.8e-6, 13.5e-6, 33.1e-6);
+const glm::dvec3 kAir(5.802e-6, 13.558e-6, 33.1e-6);
 constexpr double kAerosol = 2e-5, kAerosolAlbedo = 0.9;
-const glm::dvec3 kOzone(0.65e-6, 1.88e-6, 0.085e-6);
+const glm::dvec3 kOzone(0.650e-6, 1.881e-6, 0.085e-6);
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
 

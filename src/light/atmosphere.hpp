@@ -6,8 +6,9 @@
 namespace cloudgen::light {
 
 /// Clear air at 680, 550 and 440 nm (red, green, blue): Rayleigh scattering with a scale height of 8 km, a
-/// thin aerosol of 1.2 km (optical depth 0.024), and ozone in a layer about 25 km (coefficients of Bruneton &
-/// Neyret 2008 and Bruneton 2017), around a spherical Earth.
+/// thin aerosol of 1.2 km (optical depth 0.024), and ozone in a layer about 25 km, around a spherical Earth
+/// (model of Bruneton & Neyret 2008; coefficients of air and ozone as in Bruneton 2017, "Precomputed
+/// Atmospheric Scattering: a New Implementation", and Hillaire 2020).
 
 /// Share of the sunlight that comes to a height above the ground from an elevation -90..90 degrees; 0 where
 /// the Earth is in between. Refraction is left out.

@@ -3,10 +3,11 @@
 
 namespace cloudgen::light {
 
-/// Asymmetry parameters and single-scattering albedos of the visible: droplets of 10 um radius (Slingo 1989,
-/// the band below 0.69 um) and ice crystals (Fu 1996, effective size 50 um). What a cloud absorbs of visible
-/// light is under a hundred-thousandth a scattering, so it is counted as nothing.
-inline constexpr float kWaterAsymmetry = 0.86f, kIceAsymmetry = 0.77f;
+/// Asymmetry parameters of the visible. Droplets of an effective radius of 10 um: Slingo 1989, band 0.25 to
+/// 0.69 um, g = 0.829 + 0.002482 r. Ice crystals of a generalised effective size of 50 um: Fu 1996, equation
+/// 3.9c, band 0.2 to 0.7 um, g = 0.74813 + 9.568e-4 D - 1.115e-6 D^2 - 8.156e-9 D^3. By the same papers a
+/// scattering absorbs 1.6 and 5 millionths of visible light, which is counted as nothing.
+inline constexpr float kWaterAsymmetry = 0.854f, kIceAsymmetry = 0.792f;
 inline constexpr float kSingleScatteringAlbedo = 1.0f;
 
 /// Henyey & Greenstein 1941, per steradian: `cosine` of the angle of deflection, asymmetry -1 < g < 1.

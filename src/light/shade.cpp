@@ -69,9 +69,16 @@ std::vector<PuffLight> shadePuffs(std::span<const shape::Puff> puffs, const Clou
   return lights;
 }
 
-PuffLight inShadow(const PuffLight& light, float sunlight) {
-  // By day about a quarter of what a cloud sends out came from the sky.
-  return {light.color * glm::mix(0.25f, 1.0f, sunlight), light.forward * sunlight};
+glm::vec3 dimming(float sunlight, const glm::vec3& sunColor, const Sky& sky) {
+  // Mean answers of what is seen of a cloud to the three.
+  constexpr float kMeanSun = 0.75f, kMeanSky = 0.8f, kMeanGround = 0.3f;
+  const glm::vec3 other = kMeanSky * kSky * sky.ambient + kMeanGround * kGround * sky.bounce;
+  const glm::vec3 whole = kMeanSun * kSun * sunColor + other;
+  return (sunlight * kMeanSun * kSun * sunColor + other) / glm::max(whole, glm::vec3(1e-6f));
+}
+
+PuffLight inShadow(const PuffLight& light, float sunlight, const glm::vec3& sunColor, const Sky& sky) {
+  return {light.color * dimming(sunlight, sunColor, sky), light.forward * sunlight};
 }
 
 std::vector<PuffLight> averageLight(std::span<const shape::Puff> puffs, std::span<const PuffLight> lights,

@@ -24,8 +24,12 @@ struct Lighting {
 std::vector<PuffLight> shadePuffs(std::span<const shape::Puff> puffs, const CloudTransfer& cloud,
                                   const Lighting& lighting, float shading);
 
-/// The light of a puff of a cloud that gets only a share of the sun, 0..1, the rest of the sky as before.
-PuffLight inShadow(const PuffLight& light, float sunlight);
+/// What is left of the colours of a cloud that gets only a share of the sun, 0..1, and the sky and the ground as
+/// before: bluer by day, and nothing is taken once the sun is down.
+glm::vec3 dimming(float sunlight, const glm::vec3& sunColor, const Sky& sky);
+
+/// The light of a puff of a cloud that gets only a share of the sun.
+PuffLight inShadow(const PuffLight& light, float sunlight, const glm::vec3& sunColor, const Sky& sky);
 
 /// Light of puffs that stand for many (shape::reduce): the mean of the lights about each, by area and by
 /// nearness in its deviations.

@@ -25,88 +25,89 @@ struct Slice {
   float heightMeters, opticalDepth;
 };
 
-/// Optical depths on a level plane, thrown there along the sun.
-class ShadowPlane {
- public:
-  ShadowPlane(std::span<const Caster> clouds, const glm::vec3& sun) {
-    const float sine = std::max(sun.y, kLowestSine);
-    const float level = std::hypot(sun.x, sun.z);
-    const float run = std::sqrt(1 - sine * sine) / sine;
-    if (level > 0) shift_ = glm::vec2(sun.x, sun.z) / level * run;
-    slant_ = 1 / sine;
-    glm::vec2 lower(1e30f), upper(-1e30f);
-    for (const Caster& cloud : clouds)
-      for (const float height : {cloud.base.y, cloud.base.y + cloud.depthMeters}) {
-        lower = glm::min(lower, fallen(cloud, height) - cloud.radiusMeters);
-        upper = glm::max(upper, fallen(cloud, height) + cloud.radiusMeters);
-      }
-    lower_ = lower;
-    cell_ = std::max({kLeastCellMeters, (upper.x - lower.x) / kMostCells, (upper.y - lower.y) / kMostCells});
-    columns_ = static_cast<int>((upper.x - lower.x) / cell_) + 1;
-    rows_ = static_cast<int>((upper.y - lower.y) / cell_) + 1;
-    depths_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), 0.0f);
-  }
-
-  /// Adds a slice; what it takes from the sun, depth times area, is kept whatever the cells.
-  void add(const Caster& cloud, float height, float opticalDepth) {
-    int cells = 0;
-    visit(cloud, height, [&](float&) { ++cells; });
-    const float area = std::numbers::pi_v<float> * cloud.radiusMeters * cloud.radiusMeters;
-    const float each = opticalDepth * slant_ * area / (static_cast<float>(cells) * cell_ * cell_);
-    visit(cloud, height, [&](float& depth) { depth += each; });
-  }
-
-  /// Mean over a cloud's area, at a height, of what comes through.
-  float lightOn(const Caster& cloud, float height) {
-    double sum = 0;
-    int cells = 0;
-    visit(cloud, height, [&](float& depth) {
-      sum += transmitted((1 - kWaterAsymmetry) * depth);
-      ++cells;
-    });
-    return static_cast<float>(sum / cells);
-  }
-
- private:
-  glm::vec2 fallen(const Caster& cloud, float height) const {
-    return glm::vec2(cloud.base.x, cloud.base.z) - shift_ * height;
-  }
-
-  /// The cells whose middle lies in the cloud's disc, or the one that holds its middle.
-  template <class Do>
-  void visit(const Caster& cloud, float height, Do&& does) {
-    const glm::vec2 middle = (fallen(cloud, height) - lower_) / cell_;
-    const float radius = cloud.radiusMeters / cell_;
-    const int top = std::max(0, static_cast<int>(middle.y - radius)),
-              bottom = std::min(rows_ - 1, static_cast<int>(middle.y + radius));
-    bool any = false;
-    for (int row = top; row <= bottom; ++row) {
-      const float y = static_cast<float>(row) + 0.5f - middle.y, half = radius * radius - y * y;
-      if (half <= 0) continue;
-      const float reach = std::sqrt(half);
-      const int from = std::max(0, static_cast<int>(std::ceil(middle.x - reach - 0.5f))),
-                to = std::min(columns_ - 1, static_cast<int>(std::floor(middle.x + reach - 0.5f)));
-      for (int column = from; column <= to; ++column) {
-        does(depths_[static_cast<std::size_t>(row) * columns_ + column]);
-        any = true;
-      }
-    }
-    if (!any)
-      does(depths_[static_cast<std::size_t>(std::clamp(static_cast<int>(middle.y), 0, rows_ - 1)) * columns_ +
-                   std::clamp(static_cast<int>(middle.x), 0, columns_ - 1)]);
-  }
-
-  glm::vec2 lower_{0}, shift_{0};
-  float cell_ = 1, slant_ = 1;
-  int columns_ = 0, rows_ = 0;
-  std::vector<float> depths_;
-};
-
 }  // namespace
 
-std::vector<float> sunlightOf(std::span<const Caster> clouds, const glm::vec3& sunDirection) {
-  std::vector<float> sunlight(clouds.size(), 1.0f);
-  if (clouds.empty()) return sunlight;
+ShadowPlane::ShadowPlane(std::span<const Caster> clouds, const glm::vec3& sun) {
+  const float sine = std::max(sun.y, kLowestSine);
+  const float level = std::hypot(sun.x, sun.z);
+  const float run = std::sqrt(1 - sine * sine) / sine;
+  if (level > 0) shift_ = glm::vec2(sun.x, sun.z) / level * run;
+  slant_ = 1 / sine;
+  if (clouds.empty()) return;
+  glm::vec2 lower(1e30f), upper(-1e30f);
+  for (const Caster& cloud : clouds)
+    for (const float height : {cloud.base.y, cloud.base.y + cloud.depthMeters}) {
+      const glm::vec2 middle = fallen({cloud.base.x, height, cloud.base.z});
+      lower = glm::min(lower, middle - cloud.radiusMeters);
+      upper = glm::max(upper, middle + cloud.radiusMeters);
+    }
+  lower_ = lower;
+  cell_ = std::max({kLeastCellMeters, (upper.x - lower.x) / kMostCells, (upper.y - lower.y) / kMostCells});
+  columns_ = static_cast<int>((upper.x - lower.x) / cell_) + 1;
+  rows_ = static_cast<int>((upper.y - lower.y) / cell_) + 1;
+  depths_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), 0.0f);
+}
+
+glm::vec2 ShadowPlane::fallen(const glm::vec3& point) const {
+  return glm::vec2(point.x, point.z) - shift_ * point.y;
+}
+
+template <class Do>
+void ShadowPlane::visit(const Caster& cloud, float heightMeters, Do&& does) const {
+  const glm::vec2 middle = (fallen({cloud.base.x, heightMeters, cloud.base.z}) - lower_) / cell_;
+  const float radius = cloud.radiusMeters / cell_;
+  const int top = std::max(0, static_cast<int>(middle.y - radius)),
+            bottom = std::min(rows_ - 1, static_cast<int>(middle.y + radius));
+  const auto cell = [&](int column, int row) { return static_cast<std::size_t>(row) * columns_ + column; };
+  bool any = false;
+  for (int row = top; row <= bottom; ++row) {
+    const float y = static_cast<float>(row) + 0.5f - middle.y, half = radius * radius - y * y;
+    if (half <= 0) continue;
+    const float reach = std::sqrt(half);
+    const int from = std::max(0, static_cast<int>(std::ceil(middle.x - reach - 0.5f))),
+              to = std::min(columns_ - 1, static_cast<int>(std::floor(middle.x + reach - 0.5f)));
+    for (int column = from; column <= to; ++column) {
+      does(cell(column, row));
+      any = true;
+    }
+  }
+  if (!any)
+    does(cell(std::clamp(static_cast<int>(middle.x), 0, columns_ - 1),
+              std::clamp(static_cast<int>(middle.y), 0, rows_ - 1)));
+}
+
+void ShadowPlane::add(const Caster& cloud, float heightMeters, float opticalDepth) {
+  int cells = 0;
+  visit(cloud, heightMeters, [&](std::size_t) { ++cells; });
+  const float area = std::numbers::pi_v<float> * cloud.radiusMeters * cloud.radiusMeters;
+  const float each = opticalDepth * slant_ * area / (static_cast<float>(cells) * cell_ * cell_);
+  visit(cloud, heightMeters, [&](std::size_t cell) { depths_[cell] += each; });
+}
+
+float ShadowPlane::lightOn(const Caster& cloud, float heightMeters) const {
+  double sum = 0;
+  int cells = 0;
+  visit(cloud, heightMeters, [&](std::size_t cell) {
+    sum += transmitted((1 - kWaterAsymmetry) * depths_[cell]);
+    ++cells;
+  });
+  return static_cast<float>(sum / cells);
+}
+
+float ShadowPlane::opticalDepthTo(const glm::vec3& point) const {
+  const glm::vec2 place = (fallen(point) - lower_) / cell_ - 0.5f;
+  const glm::vec2 corner = glm::floor(place), share = place - corner;
+  const auto at = [&](float x, float y) {
+    if (x < 0 || y < 0 || x >= static_cast<float>(columns_) || y >= static_cast<float>(rows_)) return 0.0f;
+    return depths_[static_cast<std::size_t>(y) * columns_ + static_cast<std::size_t>(x)];
+  };
+  return glm::mix(glm::mix(at(corner.x, corner.y), at(corner.x + 1, corner.y), share.x),
+                  glm::mix(at(corner.x, corner.y + 1), at(corner.x + 1, corner.y + 1), share.x), share.y);
+}
+
+Shadows shadowsOf(std::span<const Caster> clouds, const glm::vec3& sunDirection) {
+  Shadows shadows{std::vector<float>(clouds.size(), 1.0f), {}};
+  if (clouds.empty() || sunDirection.y <= 0) return shadows;
   std::vector<Slice> slices;
   std::vector<std::uint32_t> byTop;
   for (std::uint32_t i = 0; i < clouds.size(); ++i) {
@@ -127,14 +128,18 @@ std::vector<float> sunlightOf(std::span<const Caster> clouds, const glm::vec3& s
 
   // From the top downwards: a cloud meets the slices above its top, so neither itself nor its neighbours in
   // a layer, whose shade the archetype's light holds already.
-  ShadowPlane plane(clouds, sunDirection);
+  shadows.whole = ShadowPlane(clouds, sunDirection);
   std::size_t next = 0;
+  const auto add = [&](const Slice& slice) {
+    shadows.whole.add(clouds[slice.cloud], slice.heightMeters, slice.opticalDepth);
+  };
   for (const std::uint32_t i : byTop) {
     for (; next < slices.size() && slices[next].bottom >= topOf(i); ++next)
-      plane.add(clouds[slices[next].cloud], slices[next].heightMeters, slices[next].opticalDepth);
-    if (next > 0) sunlight[i] = plane.lightOn(clouds[i], topOf(i));
+      add(slices[next]);
+    if (next > 0) shadows.sunlight[i] = shadows.whole.lightOn(clouds[i], topOf(i));
   }
-  return sunlight;
+  for (; next < slices.size(); ++next) add(slices[next]);
+  return shadows;
 }
 
 }  // namespace cloudgen::light

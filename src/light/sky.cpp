@@ -19,7 +19,7 @@ namespace {
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
 
-/// Clouds see the sun from above the thickest air, and a little beyond the horizon.
+/// Low clouds see the sun from above the thickest air, and a little beyond the horizon.
 constexpr double kCloudMeters = 1000;
 
 /// What is left at night, display-linear: a sky under a quarter moon, as an eye that has got used to it.
@@ -37,14 +37,18 @@ glm::vec3 skyRing(double elevationDegrees, double sunElevationDegrees) {
 
 }  // namespace
 
+glm::vec3 sunColorAt(double elevationDegrees, double heightMeters) {
+  // White from the zenith, so that noon is neutral.
+  static const glm::vec3 zenith = sunTransmittance(90, kCloudMeters);
+  return glm::min(sunTransmittance(elevationDegrees, heightMeters) / zenith, glm::vec3(1));
+}
+
 Sun sunFrom(double azimuthDegrees, double elevationDegrees) {
   Sun sun{azimuthDegrees, elevationDegrees};
   const double azimuth = radians(azimuthDegrees), elevation = radians(elevationDegrees);
   sun.direction = glm::vec3(std::sin(azimuth) * std::cos(elevation), std::sin(elevation),
                             -std::cos(azimuth) * std::cos(elevation));
-  // White from the zenith, so that noon is neutral.
-  static const glm::vec3 zenith = sunTransmittance(90, kCloudMeters);
-  sun.color = sunTransmittance(elevationDegrees, kCloudMeters) / zenith;
+  sun.color = sunColorAt(elevationDegrees, kCloudMeters);
   return sun;
 }
 

@@ -11,7 +11,7 @@ namespace cloudgen::light {
 struct Sun {
   double azimuthDegrees = 180, elevationDegrees = 45;
   glm::vec3 direction{0, 1, 0};  ///< towards the sun, scene frame (x east, y up, z south)
-  glm::vec3 color{1};            ///< display-linear, reddened by the air, 0 once it is set for clouds
+  glm::vec3 color{1};            ///< display-linear, reddened by the air, 0 once it is set for low clouds
 };
 
 /// Colours of the clear sky and the ground, display-linear.
@@ -20,6 +20,9 @@ struct Sky {
   glm::vec3 ambient{0};  ///< mean sky light on a cloud from above
   glm::vec3 bounce{0};   ///< light from the ground on a cloud from below
 };
+
+/// Colour of the sun at a height above the ground: the higher, the later it sets.
+glm::vec3 sunColorAt(double elevationDegrees, double heightMeters);
 
 /// Where the sun stands (libnova: Meeus, Astronomical Algorithms), refraction not included.
 Sun sunAt(base::UtcTime time, double longitudeDegrees, double latitudeDegrees);

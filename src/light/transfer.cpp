@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <utility>
 
@@ -18,9 +19,10 @@ constexpr int kRings = 3;
 /// What is seen of a puff is its skin: its own body, out to a little over a deviation, does not shade it, nor
 /// do the first 0.6 of optical depth, through which one sees.
 constexpr float kSkin = 1.2f, kSeenDepth = 0.6f;
-/// Diffuse light takes a longer way through a slab than the straight one; with the cosine-weighted mean over
-/// a hemisphere, this factor of the depths brings a slab back to the two-stream solution.
-constexpr float kDiffusivity = 0.69f;
+/// Diffuse light takes a longer way through a slab than the straight one; with the means below over half of
+/// the sphere, these factors of the depths bring a slab back to the two-stream solution: for what comes to
+/// the skin, mostly from about the sun, and for what goes on behind it to all sides.
+constexpr float kDiffusivity = 0.80f, kDiffusivityBehind = 0.6f;
 /// How much of what comes to a skin has lost its direction. All of these are set by the path tracer of the
 /// tests: spheres, slabs and heaps.
 constexpr float kSpread = 0.93f;
@@ -58,25 +60,42 @@ float facing(float cosine) {
   return half * half * half;
 }
 
-/// The lattice of directions, and the share that each has in the diffuse light about each.
+/// The lattice of directions, and the share that each has in the diffuse light about each and to its side.
 struct Lattice {
   std::vector<glm::vec3> directions = opposedDirections(kRings);
   HarmonicFit fit{directions};
-  std::vector<std::vector<float>> shares;
+  std::vector<std::vector<float>> lobes, sides;
 
   Lattice() {
-    for (const glm::vec3& direction : directions) shares.push_back(sharesAbout(direction));
+    for (const glm::vec3& direction : directions) {
+      lobes.push_back(lobeAbout(direction));
+      sides.push_back(sideTowards(direction));
+    }
   }
-  /// Weights by the cosine, of sum 1.
-  std::vector<float> sharesAbout(const glm::vec3& direction) const {
-    std::vector<float> about;
+  /// Weights of sum 1 by the square of the cosine, over half of the sphere.
+  std::vector<float> lobeAbout(const glm::vec3& direction) const {
+    return shares([&](const glm::vec3& other) {
+      const float cosine = std::max(0.0f, glm::dot(direction, other));
+      return cosine * cosine;
+    });
+  }
+  /// Even weights of sum 1 over half of the sphere, without a hard border that would show in the harmonics.
+  std::vector<float> sideTowards(const glm::vec3& direction) const {
+    return shares(
+        [&](const glm::vec3& other) { return glm::smoothstep(-0.35f, 0.4f, glm::dot(direction, other)); });
+  }
+
+ private:
+  template <class Weight>
+  std::vector<float> shares(Weight&& weight) const {
+    std::vector<float> out;
     float sum = 0;
     for (const glm::vec3& other : directions) {
-      about.push_back(std::max(0.0f, glm::dot(direction, other)));
-      sum += about.back();
+      out.push_back(weight(other));
+      sum += out.back();
     }
-    for (float& share : about) share /= sum;
-    return about;
+    for (float& share : out) share /= sum;
+    return out;
   }
 };
 
@@ -91,6 +110,16 @@ struct Place {
   std::vector<float> skin, middle;  ///< and on the longer ways of diffuse light
   std::vector<float> clear;         ///< what of the beam comes straight to the skin
   glm::vec3 normal{0};              ///< mean direction to the outside, of length 1 on a flat skin
+
+  /// What of the depth to the middle is left at the skin, where its normal leaves the cloud: ways aslant to
+  /// it are in the skin for longer than those along it.
+  float skinDepth(const glm::vec3& direction, float alongDirection, float toMiddle) const {
+    constexpr float kMostAslant = 0.25f;
+    const float cosine = glm::dot(normal, direction);
+    const float outwards = glm::dot(normal, normal) * glm::smoothstep(-0.1f, 0.3f, cosine);
+    const float aslant = 1 + outwards * (1 / std::clamp(cosine, kMostAslant, 1.0f) - 1);
+    return std::max(0.0f, toMiddle - aslant * (toMiddle - alongDirection));
+  }
 };
 
 std::vector<Place> placesOf(std::span<const shape::Puff> puffs, DepthSweep& sweep, const ExtinctionGrid& grid,
@@ -98,23 +127,27 @@ std::vector<Place> placesOf(std::span<const shape::Puff> puffs, DepthSweep& swee
   const auto& directions = lattice().directions;
   std::vector<Place> places(puffs.size());
   std::vector<float> open(puffs.size());
+  std::vector<Depths> depths;
   for (const glm::vec3& direction : directions) {
-    const Depths depths = depthsTowards(sweep, puffs, grid, direction);
+    depths.push_back(depthsTowards(sweep, puffs, grid, direction));
     for (std::size_t p = 0; p < puffs.size(); ++p) {
-      places[p].direct.push_back(transmitted(reduction * depths.skin[p]));
-      places[p].skin.push_back(transmitted(kDiffusivity * reduction * depths.skin[p]));
-      places[p].middle.push_back(transmitted(kDiffusivity * reduction * depths.middle[p]));
-      const float clear = std::exp(-kClear * depths.skin[p]);
+      const float clear = std::exp(-kClear * depths.back().skin[p]);
       places[p].clear.push_back(clear);
       places[p].normal += clear * direction;
       open[p] += clear;
-      transfers[p].visibility += std::exp(-depths.skin[p]) / static_cast<float>(directions.size());
+      transfers[p].visibility += std::exp(-depths.back().skin[p]) / static_cast<float>(directions.size());
     }
   }
   for (std::size_t p = 0; p < puffs.size(); ++p) {
     glm::vec3& normal = places[p].normal;
     normal *= 2.0f / (open[p] + 1e-12f);
     if (glm::dot(normal, normal) > 1) normal = glm::normalize(normal);
+    for (std::size_t j = 0; j < directions.size(); ++j) {
+      const float skin = places[p].skinDepth(directions[j], depths[j].skin[p], depths[j].middle[p]);
+      places[p].direct.push_back(transmitted(reduction * skin));
+      places[p].skin.push_back(transmitted(kDiffusivity * reduction * skin));
+      places[p].middle.push_back(transmitted(kDiffusivityBehind * reduction * depths[j].middle[p]));
+    }
   }
   return places;
 }
@@ -126,19 +159,74 @@ float about(const std::vector<float>& shares, const std::vector<float>& values) 
   return sum;
 }
 
-/// A skin that faces the sun shows what comes back, one that faces away what comes through.
-SunAnswer answer(const Place& place, const glm::vec3& direction, float before, float behind, float clear) {
+/// What is let through towards a puff and on from it, by all orders, along the light of one sun.
+struct Beam {
+  float before = 1, behind = 1;
+  /// Depths in a row add up: 2 / transmitted = 2 + tau'.
+  float through() const { return 1.0f / (1.0f / before + 1.0f / behind - 1.0f); }
+};
+
+/// How a cloud as a whole holds the light that comes along one direction, mean of its puffs as far as they
+/// are seen: they light each other, so that the wisps of a thick cloud are as white as it is.
+class Thickness {
+ public:
+  explicit Thickness(float reduction) : reduction_(reduction) {}
+
+  void add(const Beam& beam, float weight) {
+    const float reduced = 2.0f / beam.through() - 2.0f;
+    opacity_ += weight * -std::expm1(-reduced / reduction_);
+    diffused_ += weight * -std::expm1(-reduced * (1.1f + 2 * reduced));
+    weight_ += weight;
+  }
+  /// Share of the beam that is scattered at all.
+  float opacity() const { return (opacity_ + 1e-9f) / (weight_ + 1e-9f); }
+  /// Share that loses its direction: of little in thin clouds, as most of what they scatter goes on forward.
+  float diffused() const { return diffused_ / (weight_ + 1e-9f); }
+
+ private:
+  float reduction_, opacity_ = 0, diffused_ = 0, weight_ = 0;
+};
+
+/// The beams of every direction of the lattice, one a puff.
+std::vector<std::vector<Beam>> beamsThrough(const std::vector<Place>& places) {
+  const Lattice& even = lattice();
+  const std::size_t count = even.directions.size();
+  std::vector<std::vector<Beam>> beams(count);
+  for (std::size_t j = 0; j < count; ++j)
+    for (const Place& place : places)
+      beams[j].push_back({kSpread * about(even.lobes[j], place.skin) + (1 - kSpread) * place.direct[j],
+                          about(even.sides[(j + count / 2) % count], place.middle)});
+  return beams;
+}
+
+/// Along the shortest way through the cloud.
+Thickness thinnest(std::span<const shape::Puff> puffs, std::span<const PuffTransfer> transfers,
+                   const std::vector<std::vector<Beam>>& beams, float reduction) {
+  std::vector<Thickness> along;
+  for (const auto& ofDirection : beams) {
+    along.emplace_back(reduction);
+    for (std::size_t p = 0; p < puffs.size(); ++p)
+      along.back().add(ofDirection[p], seenArea(puffs[p], transfers[p]));
+  }
+  return *std::min_element(along.begin(), along.end(),
+                           [](const auto& a, const auto& b) { return a.diffused() < b.diffused(); });
+}
+
+/// A skin that faces the sun shows what comes back, one that faces away what comes through; relative to what
+/// a viewer sees of the cloud, its opacity.
+SunAnswer answer(const Place& place, const glm::vec3& direction, const Beam& beam, float clear,
+                 const Thickness& cloud) {
   const float strength = glm::length(place.normal);
   const glm::vec3 normal = place.normal / (strength + 1e-12f);
   const float cosine = glm::dot(normal, direction);
   const float towards = 0.25f + strength * (facing(cosine) - 0.25f),
               away = 0.25f + strength * (facing(-cosine) - 0.25f);
-  // Depths in a row add up: 2 / transmitted = 2 + tau'.
-  const float through = 1.0f / (1.0f / before + 1.0f / behind - 1.0f);
-  return {towards * (before - through) + away * before, clear};
+  return {
+      (towards * (beam.before - beam.through()) + away * beam.before * cloud.diffused()) / cloud.opacity(),
+      clear};
 }
 
-/// The answer that a twelfth of the seen area exceeds, under the best of 12 suns.
+/// The answer that an eleventh of the seen area exceeds, under the best of 12 suns.
 float brightAnswer(std::span<const shape::Puff> puffs, std::span<const PuffTransfer> transfers) {
   float brightest = 1e-3f;
   std::vector<std::pair<float, float>> answers(puffs.size());
@@ -148,7 +236,7 @@ float brightAnswer(std::span<const shape::Puff> puffs, std::span<const PuffTrans
     double left = 0;
     for (std::size_t i = 0; i < puffs.size(); ++i) {
       answers[i] = {dot(transfers[i].sun, harmonics), seenArea(puffs[i], transfers[i])};
-      left += 0.08 * answers[i].second;
+      left += 0.09 * answers[i].second;
     }
     std::sort(answers.begin(), answers.end(), std::greater<>());
     for (const auto& [answer, area] : answers)
@@ -172,16 +260,14 @@ CloudTransfer bakeTransfer(std::span<const shape::Puff> puffs, const ExtinctionG
   DepthSweep sweep(grid);
   std::vector<PuffTransfer> transfers(puffs.size());
   const std::vector<Place> places = placesOf(puffs, sweep, grid, 1.0f - asymmetry, transfers);
+  const std::vector<std::vector<Beam>> beams = beamsThrough(places);
+  const Thickness cloud = thinnest(puffs, transfers, beams, 1.0f - asymmetry);
   std::vector<float> sun(count), through(count);
   for (std::size_t p = 0; p < puffs.size(); ++p) {
     PuffTransfer& transfer = transfers[p];
     float all = 0;
     for (std::size_t j = 0; j < count; ++j) {
-      const std::size_t opposite = (j + count / 2) % count;
-      const float before =
-          kSpread * about(even.shares[j], places[p].skin) + (1 - kSpread) * places[p].direct[j];
-      const SunAnswer one = answer(places[p], even.directions[j], before,
-                                   about(even.shares[opposite], places[p].middle), places[p].clear[j]);
+      const SunAnswer one = answer(places[p], even.directions[j], beams[j][p], places[p].clear[j], cloud);
       sun[j] = one.sun;
       through[j] = one.through;
       (even.directions[j].y > 0 ? transfer.sky : transfer.ground) += one.sun;
@@ -202,18 +288,20 @@ CloudTransfer bakeTransfer(std::span<const shape::Puff> puffs, const ExtinctionG
 std::vector<SunAnswer> bakeSun(std::span<const shape::Puff> puffs, const ExtinctionGrid& grid,
                                float asymmetry, const glm::vec3& sunDirection) {
   DepthSweep sweep(grid);
-  std::vector<PuffTransfer> unused(puffs.size());
+  std::vector<PuffTransfer> transfers(puffs.size());
   const float reduction = 1.0f - asymmetry;
-  const std::vector<Place> places = placesOf(puffs, sweep, grid, reduction, unused);
-  const std::vector<float> front = lattice().sharesAbout(sunDirection),
-                           back = lattice().sharesAbout(-sunDirection);
+  const std::vector<Place> places = placesOf(puffs, sweep, grid, reduction, transfers);
+  const std::vector<float> front = lattice().lobeAbout(sunDirection),
+                           back = lattice().sideTowards(-sunDirection);
   const Depths depths = depthsTowards(sweep, puffs, grid, sunDirection);
+  const Thickness cloud = thinnest(puffs, transfers, beamsThrough(places), reduction);
   std::vector<SunAnswer> answers;
   for (std::size_t p = 0; p < puffs.size(); ++p) {
-    const float direct = transmitted(reduction * depths.skin[p]);
-    const float before = kSpread * about(front, places[p].skin) + (1 - kSpread) * direct;
-    answers.push_back(answer(places[p], sunDirection, before, about(back, places[p].middle),
-                             std::exp(-kClear * depths.skin[p])));
+    const float direct =
+        transmitted(reduction * places[p].skinDepth(sunDirection, depths.skin[p], depths.middle[p]));
+    const Beam beam{kSpread * about(front, places[p].skin) + (1 - kSpread) * direct,
+                    about(back, places[p].middle)};
+    answers.push_back(answer(places[p], sunDirection, beam, std::exp(-kClear * depths.skin[p]), cloud));
   }
   return answers;
 }

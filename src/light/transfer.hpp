@@ -25,7 +25,7 @@ struct PuffTransfer {
 struct CloudTransfer {
   std::vector<PuffTransfer> puffs;
   float bright =
-      1;  ///< a twelfth of what is seen answers more, under the sun of a lattice that suits it best
+      1;  ///< an eleventh of what is seen answers more, under the sun of a lattice that suits it best
 };
 
 /// The same for one direction of the sun, not fitted.

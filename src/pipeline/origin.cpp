@@ -3,40 +3,29 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "base/error.hpp"
 
 namespace cloudgen::pipeline {
 namespace {
 
-constexpr double kLowestSunDegrees = 8.0;
+/// The end of civil twilight: what is lit after it is lit by the stated least light of the night.
+constexpr double kNightDegrees = -6.0;
 
 std::string boxText(const base::GeoBox& box) {
   return fmt::format("{:g},{:g},{:g},{:g}", box.west, box.south, box.east, box.north);
-}
-
-/// The same day's moment at which the mean sun stands where it does at 10 h local time.
-base::UtcTime tenOClock(base::UtcTime time, double longitudeDegrees) {
-  const auto dayStart = time.seconds - ((time.seconds % 86400) + 86400) % 86400;
-  return {dayStart + static_cast<std::int64_t>(std::lround((10.0 - longitudeDegrees / 15.0) * 3600.0))};
 }
 
 light::Sun sunFor(const field::Source& source, const base::GeoBox& box, const Options& options,
                   std::vector<std::string>& warnings) {
   if (options.sunDegrees) return light::sunFrom(options.sunDegrees->first, options.sunDegrees->second);
   const base::UtcTime time = source.info().validTime;
-  const double longitude = box.centerLongitude(), latitude = box.centerLatitude();
-  const light::Sun real = light::sunAt(time, longitude, latitude);
-  if (real.elevationDegrees >= kLowestSunDegrees) return real;
-  light::Sun standIn = light::sunAt(tenOClock(time, longitude), longitude, latitude);
-  if (standIn.elevationDegrees < kLowestSunDegrees)
-    standIn = light::sunFrom(standIn.azimuthDegrees, kLowestSunDegrees);
-  warnings.push_back(fmt::format(
-      "at {} the sun stands at {:.1f} degrees: the scene is lit as at 10 h local solar time "
-      "(azimuth {:.0f}, elevation {:.0f}); choose another light with --sun",
-      base::isoText(time), real.elevationDegrees, standIn.azimuthDegrees, standIn.elevationDegrees));
-  return standIn;
+  const light::Sun sun = light::sunAt(time, box.centerLongitude(), box.centerLatitude());
+  if (sun.elevationDegrees < kNightDegrees)
+    warnings.push_back(fmt::format(
+        "at {} the sun stands at {:.1f} degrees: the scene is a night, drawn as under a quarter moon; "
+        "choose another light with --sun AZIMUTH,ELEVATION",
+        base::isoText(time), sun.elevationDegrees));
+  return sun;
 }
 
 }  // namespace

@@ -21,9 +21,9 @@ struct Origin {
   std::vector<std::string> warnings;
 };
 
-/// Scene frame, the model cells in it, the ground, and the sun. A sun below 8 degrees leaves a scene nobody
-/// can judge: it is then lit as at 10 h local solar time of the same day, and a warning says so; --sun
-/// decides otherwise. `grid` is the one whose cells the clouds stand in: the source's, or a finer typing's.
+/// Scene frame, the model cells in it, the ground, and the sun: where it stands at the valid time over the
+/// middle of the box, or as --sun says, whatever its elevation. A night is drawn by light::skyUnder's least
+/// light, and a warning says so. `grid` is the one whose cells the clouds stand in: the source's, or a finer typing's.
 /// Throws InputError if the box lies outside the grid.
 Origin locateOrigin(const field::Source& source, const field::Grid& grid, const Options& options);
 

@@ -53,6 +53,16 @@ float asymmetryOf(base::Genus genus) {
   return ice ? light::kIceAsymmetry : light::kWaterAsymmetry;
 }
 
+/// Where clouds of a genus see the sun from, metres: the middles of the etages of the WMO, and the tops of
+/// cumulonimbus, which are all that a low sun reaches. High clouds glow when it has set for low ones.
+double lightHeightOf(base::Genus genus) {
+  using base::Genus;
+  if (genus == Genus::Cirrus || genus == Genus::Cirrocumulus || genus == Genus::Cirrostratus) return 9000;
+  if (genus == Genus::Cumulonimbus) return 8000;
+  if (genus == Genus::Altocumulus || genus == Genus::Altostratus) return 4500;
+  return 1000;
+}
+
 /// The puffs as the light meets them: an element of a sheet stands among others that overlap it.
 std::vector<shape::Puff> amongNeighbours(const scene::Archetype& archetype, const shape::Recipe& recipe) {
   std::vector<shape::Puff> puffs = archetype.puffs;
@@ -71,7 +81,9 @@ light::ExtinctionGrid gridOf(const scene::Archetype& archetype, const shape::Rec
 scene::LitArchetype lightArchetype(std::uint32_t index, int yawStep, const scene::Archetype& archetype,
                                    const light::CloudTransfer& transfer, const Origin& origin) {
   const glm::quat turnBack = glm::angleAxis(-scene::yawRadians(yawStep), glm::vec3(0, 1, 0));
-  const light::Lighting lighting{turnBack * origin.sun.direction, origin.sun.color, origin.sky};
+  const light::Lighting lighting{
+      turnBack * origin.sun.direction,
+      light::sunColorAt(origin.sun.elevationDegrees, lightHeightOf(archetype.genus)), origin.sky};
   scene::LitArchetype lit;
   lit.archetype = index;
   lit.yawStep = yawStep;
@@ -90,7 +102,7 @@ std::uint64_t cloudId(const field::Layer& layer, const field::Cloud& cloud) {
 
 scene::Scene produce(const field::CloudTable& table, const Origin& origin, const Options& options,
                      const Generalisation& general, base::UtcTime validTime, const base::Progress& progress) {
-  scene::Scene scene{origin.frame, validTime, origin.sun, origin.sky, options.seed, {}, {}, {}, {}, {}, 0};
+  scene::Scene scene{origin.frame, validTime, origin.sun, origin.sky, options.seed};
   scene.groundHeightMeters = origin.ground.lowestMeters;
   scene.terrain = origin.ground.terrain;
   std::map<ArchetypeKey, std::uint32_t> archetypeOf;
@@ -161,8 +173,9 @@ scene::Scene produce(const field::CloudTable& table, const Origin& origin, const
     casters.push_back({scene.instances[i].position, static_cast<float>(0.5 * cloud.widthMeters),
                        static_cast<float>(cloud.depthMeters), static_cast<float>(cloud.opticalDepth)});
   }
-  const std::vector<float> sunlight = light::sunlightOf(casters, origin.sun.direction);
-  for (size_t i = 0; i < sunlight.size(); ++i) scene.instances[i].sunlight = sunlight[i];
+  light::Shadows shadows = light::shadowsOf(casters, origin.sun.direction);
+  for (size_t i = 0; i < shadows.sunlight.size(); ++i) scene.instances[i].sunlight = shadows.sunlight[i];
+  scene.shadows = std::move(shadows.whole);
   return scene;
 }
 

@@ -31,6 +31,13 @@ float groundAt(const Scene& scene, double x, double z) {
   return std::max(scene.groundHeightMeters, static_cast<float>(scene.terrain.heightAt(x, z)));
 }
 
+base::HeightField flatGround(const Scene& scene, int cells) {
+  const glm::dvec2 lower = scene.frame.lowerCorner(), upper = scene.frame.upperCorner();
+  const auto points = static_cast<std::size_t>(cells + 1);
+  return {cells + 1, cells + 1, lower, (upper - lower) / static_cast<double>(cells),
+          std::vector<float>(points * points, scene.groundHeightMeters)};
+}
+
 float highestTop(const Scene& scene) {
   float top = 0;
   for (const CloudRecord& cloud : scene.clouds) top = std::max(top, cloud.topMeters);

@@ -12,6 +12,7 @@
 #include "base/height_field.hpp"
 #include "base/time.hpp"
 #include "light/puff_light.hpp"
+#include "light/shadow.hpp"
 #include "light/sky.hpp"
 #include "shape/puff.hpp"
 
@@ -85,6 +86,7 @@ struct Scene {
   std::vector<CloudRecord> clouds;
   float groundHeightMeters = 0;  ///< lowest ground, and all of it where the terrain is empty
   base::HeightField terrain;     ///< its border lies at groundHeightMeters
+  light::ShadowPlane shadows;    ///< of all clouds, where they fall on the ground
 };
 
 /// Number of puffs that are drawn when every instance is drawn in full.
@@ -98,6 +100,9 @@ float yawRadians(int yawStep);
 
 /// Height of the ground at a place of the scene frame, metres.
 float groundAt(const Scene& scene, double x, double z);
+
+/// Level ground under the scene's box, as a lattice of so many cells a side.
+base::HeightField flatGround(const Scene& scene, int cells);
 
 /// The top of the highest cloud, metres; 0 without clouds.
 float highestTop(const Scene& scene);

@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-// How long light takes, one line of JSON a case, on one thread.
+// How long light takes, one line of JSON a case, the first ones on one thread.
 //   cmake --preset release -DCLOUDGEN_TESTS=ON && cmake --build --preset release --target bench_light
-//   build/release/tests/bench/bench_light
+//   build/release/tests/bench/bench_light [FORECAST...]
+// With a forecast also the share of light in its whole build, all its formats written.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
+#include "base/data_dir.hpp"
 #include "base/random.hpp"
+#include "input/catalogue.hpp"
 #include "light/optics.hpp"
 #include "light/sweep.hpp"
 #include "light/transfer.hpp"
+#include "pipeline/pipeline.hpp"
 #include "support/ray_march.hpp"
+#include "writer/catalogue.hpp"
 
 namespace {
 
@@ -88,9 +93,37 @@ void benchArchetypes() {
         {"lit", bright > 0}});
 }
 
+/// The share of its light in a build, by the stages that the build itself reports.
+void benchBuild(const std::vector<std::filesystem::path>& forecast) {
+  using Clock = std::chrono::steady_clock;
+  const auto seconds = [](Clock::duration d) { return std::chrono::duration<double>(d).count(); };
+  const Clock::time_point start = Clock::now();
+  Clock::time_point lightStart = start, lightEnd = start;
+  base::Progress progress;
+  progress.report = [&](std::string_view stage, double share) {
+    if (stage == "production: light") (share < 1 ? lightStart : lightEnd) = Clock::now();
+  };
+  const auto source = input::open(forecast);
+  pipeline::Options options;
+  options.recipes = pipeline::readRecipes(base::dataDir() / "templates" / "types");
+  const pipeline::Outcome outcome = pipeline::run(*source, options, progress);
+  const auto folder = std::filesystem::temp_directory_path() / "cloudgen_bench_light";
+  std::filesystem::create_directories(folder);
+  for (const writer::Format& format : writer::formats()) format.write(outcome.scene, {folder, {}});
+  const Clock::time_point end = Clock::now();
+  std::filesystem::remove_all(folder);
+  tell({{"case", "light of a whole build"},
+        {"archetypes", outcome.scene.archetypes.size()},
+        {"headings", outcome.scene.lit.size()},
+        {"light_s", seconds(lightEnd - lightStart)},
+        {"build_s", seconds(end - start)},
+        {"share", seconds(lightEnd - lightStart) / seconds(end - start)}});
+}
+
 }  // namespace
 
-int main() {
+int main(int argc, char** argv) {
   benchSweep();
   benchArchetypes();
+  if (argc > 1) benchBuild({argv + 1, argv + argc});
 }

@@ -6,6 +6,7 @@
 #include "base/data_dir.hpp"
 #include "base/file.hpp"
 #include "light/relief.hpp"
+#include "light/shade.hpp"
 #include "writer/gltf/card_mesh.hpp"
 #include "writer/gltf/glb_file.hpp"
 #include "writer/gltf/gltf.hpp"
@@ -15,6 +16,11 @@ namespace cloudgen::writer {
 namespace {
 
 using namespace gltf;
+
+/// Clouds that get more of the sun than this are drawn as if they got all of it.
+constexpr float kSunny = 0.98f;
+/// Cells along a side of the ground where there is no terrain.
+constexpr int kGroundCells = 64;
 
 /// The materials of the genera in the scene, each with its atlas, made when first asked for.
 class GenusMaterials {
@@ -75,7 +81,8 @@ glm::dvec3 middleOf(const scene::Scene& scene, const std::vector<std::uint32_t>&
 
 Attributes addPlaces(GlbFile& file, const scene::Scene& scene, const std::vector<std::uint32_t>& instances,
                      const glm::dvec3& middle) {
-  std::vector<float> translations, rotations, scales;
+  std::vector<float> translations, rotations, scales, colors;
+  float least = 1;
   for (const std::uint32_t i : instances) {
     const scene::Instance& instance = scene.instances[i];
     const glm::vec3 place(glm::dvec3(instance.position) - middle);
@@ -84,10 +91,16 @@ Attributes addPlaces(GlbFile& file, const scene::Scene& scene, const std::vector
     translations.insert(translations.end(), {place.x, place.y, place.z});
     rotations.insert(rotations.end(), {turn.x, turn.y, turn.z, turn.w});
     scales.insert(scales.end(), 3, instance.scale);
+    const glm::vec3 color = light::dimming(instance.sunlight, scene.sun.color, scene.sky);
+    colors.insert(colors.end(), {color.x, color.y, color.z});
+    least = std::min(least, instance.sunlight);
   }
-  return {{"TRANSLATION", file.addFloats(3, translations)},
-          {"ROTATION", file.addFloats(4, rotations)},
-          {"SCALE", file.addFloats(3, scales)}};
+  Attributes places{{"TRANSLATION", file.addFloats(3, translations)},
+                    {"ROTATION", file.addFloats(4, rotations)},
+                    {"SCALE", file.addFloats(3, scales)}};
+  // Not in the extension's text, but what three.js, Babylon.js and gltfpack take for an instance's colour.
+  if (least < kSunny) places.emplace_back("_COLOR_0", file.addFloats(3, colors));
+  return places;
 }
 
 /// What the clouds of a node are, in the order of the node's instances.
@@ -101,24 +114,9 @@ nlohmann::json cloudExtras(const scene::Scene& scene, const scene::Archetype& ar
           {"clouds", std::move(ids)}};
 }
 
-void addFlatGround(GlbFile& file, const scene::Scene& scene) {
-  const glm::dvec2 lower = scene.frame.lowerCorner(), upper = scene.frame.upperCorner(),
-                   middle = glm::round(0.5 * (lower + upper));
-  const glm::vec2 half(0.5 * (upper - lower)), shift(0.5 * (lower + upper) - middle);
-  const float west = shift.x - half.x, east = shift.x + half.x, north = shift.y - half.y,
-              south = shift.y + half.y;
-  const std::array<float, 12> corners{west, 0, south, east, 0, south, east, 0, north, west, 0, north};
-  const std::array<std::uint32_t, 6> triangles{0, 1, 2, 0, 2, 3};
-  const int mesh = file.addMesh("ground", {.attributes = {{"POSITION", file.addFloats(3, corners, true)}},
-                                           .indices = file.addIndices(triangles),
-                                           .material = file.addPlainMaterial("ground", scene.sky.ground)});
-  file.addNode(
-      {.name = "ground", .mesh = mesh, .translation = {middle.x, scene.groundHeightMeters, middle.y}});
-}
-
-/// The terrain as a mesh; its colours hold sun and height, as the ground is unlit.
-void addTerrain(GlbFile& file, const scene::Scene& scene) {
-  const base::HeightField& terrain = scene.terrain;
+/// The ground as a mesh; its colours hold sun, height and shadows, as it is unlit.
+void addGround(GlbFile& file, const scene::Scene& scene) {
+  const base::HeightField terrain = scene.terrain.empty() ? scene::flatGround(scene, kGroundCells) : scene.terrain;
   const glm::dvec2 middle =
       glm::round(terrain.origin + 0.5 * terrain.step * glm::dvec2(terrain.columns - 1, terrain.rows - 1));
   std::vector<float> positions, normals;
@@ -129,16 +127,17 @@ void addTerrain(GlbFile& file, const scene::Scene& scene) {
       const glm::vec3 normal = terrain.normal(column, row);
       positions.insert(positions.end(), {point.x, point.y, point.z});
       normals.insert(normals.end(), {normal.x, normal.y, normal.z});
-      const glm::vec4 color(light::reliefColor(terrain, column, row, scene.sun, scene.sky), 1);
+      const glm::vec4 color(
+          light::shadedReliefColor(terrain, column, row, scene.sun, scene.sky, scene.shadows), 1);
       for (int i = 0; i < 4; ++i)
         colors.push_back(static_cast<std::uint16_t>(std::lround(65535 * glm::clamp(color[i], 0.0f, 1.0f))));
     }
-  const int mesh = file.addMesh("terrain", {.attributes = {{"POSITION", file.addFloats(3, positions, true)},
+  const int mesh = file.addMesh("ground", {.attributes = {{"POSITION", file.addFloats(3, positions, true)},
                                                            {"NORMAL", file.addFloats(3, normals)},
                                                            {"COLOR_0", file.addUnitShorts(colors)}},
                                             .indices = file.addIndices(base::trianglesOf(terrain)),
-                                            .material = file.addPlainMaterial("terrain", glm::vec3(1))});
-  file.addNode({.name = "terrain", .mesh = mesh, .translation = {middle.x, 0, middle.y}});
+                                            .material = file.addPlainMaterial("ground", glm::vec3(1))});
+  file.addNode({.name = "ground", .mesh = mesh, .translation = {middle.x, 0, middle.y}});
 }
 
 }  // namespace
@@ -146,10 +145,7 @@ void addTerrain(GlbFile& file, const scene::Scene& scene) {
 void writeCards(const scene::Scene& scene, const Destination& destination) {
   GlbFile file(sceneExtras(scene));
   GenusMaterials materials(file);
-  if (scene.terrain.empty())
-    addFlatGround(file, scene);
-  else
-    addTerrain(file, scene);
+  addGround(file, scene);
   const auto groups = instancesByLight(scene);
   for (std::size_t g = 0; g < groups.size(); ++g) {
     destination.progress.step("glb", static_cast<double>(g) / static_cast<double>(groups.size()));

@@ -100,7 +100,8 @@ std::vector<Splat> splatsOf(const scene::Scene& scene, const scene::Tile& tile) 
         widened(scene::placed(scene, cloud, scene.archetypes[lit.archetype].puffs[place.puff]));
     Splat splat{puff.center, puff.sigma, glm::normalize(puff.rotation), splatOpacity(puff),
                 shape::frontalOpticalDepth(puff)};
-    shade(splat, light::inShadow(lit.puffs[place.puff], cloud.sunlight), scene.sun);
+    shade(splat, light::inShadow(lit.puffs[place.puff], cloud.sunlight, scene.sun.color, scene.sky),
+          scene.sun);
     splats.push_back(splat);
   }
   return splats;

@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "base/text.hpp"
+#include "light/shade.hpp"
 #include "shape/heights.hpp"
 #include "writer/x3d/clusters.hpp"
 
@@ -32,8 +33,8 @@ class CloudWalk {
         shapes_(shapes),
         scene_(scene),
         stage_(stage),
-        defined_(scene.lit.size()),
-        simpleDefined_(scene.lit.size()) {
+        defined_(kShades * scene.lit.size()),
+        simpleDefined_(kShades * scene.lit.size()) {
     chooseDetail();
   }
 
@@ -131,9 +132,9 @@ class CloudWalk {
     nodes_.vector("translation", instance.position, 1);
     if (i < scene_.clouds.size()) record(scene_.clouds[i]);
     if (vrml97())
-      fixedLevel(instance.lit, detail_[i]);
+      fixedLevel(shadedOf(instance), detail_[i]);
     else
-      levels(instance.lit);
+      levels(shadedOf(instance));
     nodes_.close();
   }
 
@@ -171,13 +172,27 @@ class CloudWalk {
     nodes_.close();
   }
 
-  /// The puffs of a lit archetype, turned by its yaw.
-  std::vector<LitPuff> turned(const scene::LitArchetype& lit, std::span<const shape::Puff> puffs,
+  /// A lit archetype in one of a few steps of shadow from other clouds, which clouds share by DEF and USE.
+  struct Shaded {
+    std::uint32_t lit;
+    int shade;  ///< 0 in full sun .. kShades - 1 in none
+    std::size_t index() const { return kShades * lit + static_cast<std::size_t>(shade); }
+  };
+  static constexpr std::size_t kShades = 4;
+
+  static Shaded shadedOf(const scene::Instance& instance) {
+    return {instance.lit, static_cast<int>(std::lround((1 - instance.sunlight) * (kShades - 1)))};
+  }
+
+  /// The puffs of a shaded archetype, turned by its yaw.
+  std::vector<LitPuff> turned(const Shaded& shaded, std::span<const shape::Puff> puffs,
                               std::span<const light::PuffLight> lights) const {
-    const glm::quat turn = glm::angleAxis(scene::yawRadians(lit.yawStep), glm::vec3(0, 1, 0));
+    const glm::quat turn = glm::angleAxis(scene::yawRadians(scene_.lit[shaded.lit].yawStep), glm::vec3(0, 1, 0));
+    const glm::vec3 dimming =
+        light::dimming(1 - static_cast<float>(shaded.shade) / (kShades - 1), scene_.sun.color, scene_.sky);
     std::vector<LitPuff> out;
     for (size_t i = 0; i < puffs.size(); ++i) {
-      LitPuff one{puffs[i], i < lights.size() ? lights[i].color : glm::vec3(1)};
+      LitPuff one{puffs[i], dimming * (i < lights.size() ? lights[i].color : glm::vec3(1))};
       one.puff.center = turn * one.puff.center;
       one.puff.rotation = turn * one.puff.rotation;
       out.push_back(one);
@@ -185,43 +200,44 @@ class CloudWalk {
     return out;
   }
 
-  std::string nameOf(const scene::LitArchetype& lit) const {
-    return fmt::format("{}_yaw{}", scene_.archetypes[lit.archetype].name, lit.yawStep);
+  std::string nameOf(const Shaded& shaded) const {
+    const scene::LitArchetype& lit = scene_.lit[shaded.lit];
+    return fmt::format("{}_yaw{}{}", scene_.archetypes[lit.archetype].name, lit.yawStep,
+                       shaded.shade > 0 ? fmt::format("_shade{}", shaded.shade) : "");
   }
 
-  void levels(std::uint32_t index) {
-    const scene::LitArchetype& lit = scene_.lit[index];
-    const shape::Bounds& box = scene_.archetypes[lit.archetype].bounds;
-    if (defined_[index]) return nodes_.use("LOD", "children", nameOf(lit));
-    defined_[index] = true;
+  void levels(const Shaded& shaded) {
+    const shape::Bounds& box = scene_.archetypes[scene_.lit[shaded.lit].archetype].bounds;
+    if (defined_[shaded.index()]) return nodes_.use("LOD", "children", nameOf(shaded));
+    defined_[shaded.index()] = true;
     const glm::vec3 size = box.upper - box.lower;
-    nodes_.open("LOD", "children", nameOf(lit));
+    nodes_.open("LOD", "children", nameOf(shaded));
     nodes_.vector("center", glm::vec3(0, 0.5f * (box.lower.y + box.upper.y), 0), 1);
     nodes_.numbers("range", std::array{cloudRange(std::max({size.x, size.y, size.z}))}, 1, 0);
-    level(lit, Detail::Full, {});
-    level(lit, Detail::Simple, {});
+    level(shaded, Detail::Full, {});
+    level(shaded, Detail::Simple, {});
     nodes_.close();
   }
 
-  void fixedLevel(std::uint32_t index, Detail detail) {
-    const scene::LitArchetype& lit = scene_.lit[index];
+  void fixedLevel(const Shaded& shaded, Detail detail) {
     std::vector<bool>& defined = detail == Detail::Full ? defined_ : simpleDefined_;
-    const std::string def = nameOf(lit) + (detail == Detail::Full ? "" : "_far");
-    if (defined[index]) return nodes_.use("Group", "children", def);
-    defined[index] = true;
-    level(lit, detail, def);
+    const std::string def = nameOf(shaded) + (detail == Detail::Full ? "" : "_far");
+    if (defined[shaded.index()]) return nodes_.use("Group", "children", def);
+    defined[shaded.index()] = true;
+    level(shaded, detail, def);
   }
 
-  /// A Group with the puffs (or, simple, the far puffs as one part) of a lit archetype.
-  void level(const scene::LitArchetype& lit, Detail detail, const std::string& def) {
+  /// A Group with the puffs (or, simple, the far puffs as one part) of a shaded archetype.
+  void level(const Shaded& shaded, Detail detail, const std::string& def) {
+    const scene::LitArchetype& lit = scene_.lit[shaded.lit];
     const scene::Archetype& archetype = scene_.archetypes[lit.archetype];
     if (detail == Detail::Full)
-      parts(archetype.genus, turned(lit, archetype.puffs, lit.puffs), archetype.sectionStart, kMostClusters,
-            def);
+      parts(archetype.genus, turned(shaded, archetype.puffs, lit.puffs), archetype.sectionStart,
+            kMostClusters, def);
     else if (archetype.farPuffs.empty())
-      parts(archetype.genus, turned(lit, archetype.puffs, lit.puffs), {}, 1, def);
+      parts(archetype.genus, turned(shaded, archetype.puffs, lit.puffs), {}, 1, def);
     else
-      parts(archetype.genus, turned(lit, archetype.farPuffs, lit.farPuffs), {}, 1, def);
+      parts(archetype.genus, turned(shaded, archetype.farPuffs, lit.farPuffs), {}, 1, def);
   }
 
   void parts(base::Genus genus, const std::vector<LitPuff>& puffs, std::span<const std::uint32_t> sections,
@@ -299,9 +315,10 @@ class CloudWalk {
           inParts ? std::span(archetype.farPuffs) : std::span(&archetype.onePuff, 1);
       const std::span<const light::PuffLight> lights =
           inParts ? std::span(lit.farPuffs) : std::span(&lit.onePuff, 1);
+      const glm::vec3 dimming = light::dimming(instance.sunlight, scene_.sun.color, scene_.sky);
       std::vector<LitPuff> placed;
       for (size_t p = 0; p < source.size(); ++p)
-        placed.push_back({scene::placed(scene_, instance, source[p]), lights[p].color});
+        placed.push_back({scene::placed(scene_, instance, source[p]), dimming * lights[p].color});
       auto& all = puffs[archetype.genus];
       // From afar nobody tells how dense a cloud is, or where within it: one quad less to blend.
       if (range == Range::Far) {

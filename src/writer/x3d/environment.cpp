@@ -50,14 +50,17 @@ void appendColor(std::vector<float>& out, const glm::vec3& linear) {
 
 void writeBackground(NodeWriter& nodes, const light::Sky& sky) {
   std::vector<float> skyColors, groundColors;
-  for (const float share : {0.0f, 0.35f, 0.7f, 1.0f})
-    appendColor(skyColors, glm::mix(sky.zenith, sky.horizon, share));
+  // From the zenith downwards, as the page has it: the horizon's colour fades as exp(-3.5 sine of elevation).
+  constexpr std::array kSkyAngles{0.7f, 1.0f, 1.25f, 1.45f, 1.5707f};
+  appendColor(skyColors, glm::mix(sky.zenith, sky.horizon, std::exp(-3.5f)));
+  for (const float angle : kSkyAngles)
+    appendColor(skyColors, glm::mix(sky.zenith, sky.horizon, std::exp(-3.5f * std::cos(angle))));
   for (const float share : {0.0f, 0.1f, 1.0f, 1.0f})
     appendColor(groundColors, glm::mix(sky.ground, sky.horizon, share));
   nodes.open("Background");
   nodes.numbers("groundAngle", std::array{0.8f, 1.25f, 1.5707f}, 1, 4);
   nodes.numbers("groundColor", groundColors, 3, 3);
-  nodes.numbers("skyAngle", std::array{0.9f, 1.35f, 1.5707f}, 1, 4);
+  nodes.numbers("skyAngle", kSkyAngles, 1, 4);
   nodes.numbers("skyColor", skyColors, 3, 3);
   nodes.close();
 }

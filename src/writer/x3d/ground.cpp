@@ -12,6 +12,9 @@
 namespace cloudgen::writer {
 namespace {
 
+/// Cells along a side of the box where there is no terrain: as many as shadows of clouds need to be seen.
+constexpr int kGroundCells = 48;
+
 /// The ground's colours, fading into the haze away from the middle of the stage.
 class Haze {
  public:
@@ -31,28 +34,25 @@ class Haze {
   float reach_;
 };
 
-/// Even lines about the middle, and the edges of the terrain.
-std::vector<float> linesAlong(float middle, float reach, bool hole, float low, float high) {
+/// Even lines about the middle, and the edges of the hole for the scene's box.
+std::vector<float> linesAlong(float middle, float reach, float low, float high) {
   constexpr int kCells = 24;
   std::set<float> lines;
   for (int i = 0; i <= kCells; ++i) {
     const float line = middle + reach * (2.0f * static_cast<float>(i) / kCells - 1);
-    if (!hole || line < low || line > high) lines.insert(line);
+    if (line < low || line > high) lines.insert(line);
   }
-  if (hole) lines.insert({low, high});
+  lines.insert({low, high});
   return {lines.begin(), lines.end()};
 }
 
-void writeFlatGround(NodeWriter& nodes, const scene::Scene& scene, const Stage& stage) {
+/// The ground around the scene's box.
+void writeSurroundings(NodeWriter& nodes, const scene::Scene& scene, const Stage& stage,
+                       const base::HeightField& box) {
   const glm::vec3 middle = 0.5f * (stage.lower + stage.upper);
-  const base::HeightField& terrain = scene.terrain;
-  glm::vec2 low(0), high(0);
-  if (!terrain.empty()) {
-    low = glm::vec2(terrain.origin);
-    high = glm::vec2(terrain.origin + glm::dvec2(terrain.columns - 1, terrain.rows - 1) * terrain.step);
-  }
-  const auto xs = linesAlong(middle.x, 2 * stage.extent, !terrain.empty(), low.x, high.x);
-  const auto zs = linesAlong(middle.z, 2 * stage.extent, !terrain.empty(), low.y, high.y);
+  const glm::vec2 low(box.origin), high(box.origin + glm::dvec2(box.columns - 1, box.rows - 1) * box.step);
+  const auto xs = linesAlong(middle.x, 2 * stage.extent, low.x, high.x);
+  const auto zs = linesAlong(middle.z, 2 * stage.extent, low.y, high.y);
   const Haze haze(scene, stage);
   std::vector<float> points, colors;
   std::vector<std::int32_t> indices;
@@ -63,7 +63,7 @@ void writeFlatGround(NodeWriter& nodes, const scene::Scene& scene, const Stage& 
       points.insert(points.end(), {x, scene.groundHeightMeters, z});
       haze.append(colors, scene.sky.ground, x, z);
       if (row + 1 == rows || column + 1 == columns) continue;
-      const bool inHole = !terrain.empty() && x >= low.x && x < high.x && z >= low.y && z < high.y;
+      const bool inHole = x >= low.x && x < high.x && z >= low.y && z < high.y;
       const int corner = row * columns + column;
       if (!inHole)
         indices.insert(indices.end(), {corner, corner + columns, corner + columns + 1, corner + 1, -1});
@@ -82,14 +82,17 @@ void writeFlatGround(NodeWriter& nodes, const scene::Scene& scene, const Stage& 
   nodes.close();
 }
 
-void writeTerrain(NodeWriter& nodes, const scene::Scene& scene, const Stage& stage) {
-  const base::HeightField& terrain = scene.terrain;
+/// The ground of the box, with relief and the shadows of the clouds in its colours.
+void writeTerrain(NodeWriter& nodes, const scene::Scene& scene, const Stage& stage,
+                  const base::HeightField& terrain) {
   const Haze haze(scene, stage);
   std::vector<float> colors;
   for (int row = 0; row < terrain.rows; ++row)
     for (int column = 0; column < terrain.columns; ++column) {
       const glm::dvec3 point = terrain.point(column, row);
-      haze.append(colors, light::reliefColor(terrain, column, row, scene.sun, scene.sky), point.x, point.z);
+      haze.append(colors,
+                  light::shadedReliefColor(terrain, column, row, scene.sun, scene.sky, scene.shadows),
+                  point.x, point.z);
     }
   nodes.open("Transform", "children", "Terrain");
   nodes.vector("translation", glm::vec3(terrain.origin.x, 0, terrain.origin.y), 1);
@@ -112,8 +115,10 @@ void writeTerrain(NodeWriter& nodes, const scene::Scene& scene, const Stage& sta
 }  // namespace
 
 void writeGround(NodeWriter& nodes, const scene::Scene& scene, const Stage& stage) {
-  writeFlatGround(nodes, scene, stage);
-  if (!scene.terrain.empty()) writeTerrain(nodes, scene, stage);
+  const base::HeightField box =
+      scene.terrain.empty() ? scene::flatGround(scene, kGroundCells) : scene.terrain;
+  writeSurroundings(nodes, scene, stage, box);
+  writeTerrain(nodes, scene, stage, box);
 }
 
 }  // namespace cloudgen::writer

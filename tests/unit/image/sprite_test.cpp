@@ -54,6 +54,27 @@ TEST(Sprites, TilesEndTransparentAndAreOpaqueInside) {
   }
 }
 
+// A viewer that makes mip levels must not find edges there: quads would be seen as such.
+TEST(Sprites, MipLevelsEndTransparentToo) {
+  for (const SpriteAtlas& atlas : readSpriteManifest(textures())) {
+    const ByteImage image = test::readPng(textures() / atlas.file);
+    for (int shrink = 2; atlas.tilePixels / shrink >= 8; shrink *= 2) {
+      const int side = atlas.tilePixels / shrink, all = image.width / shrink;
+      int most = 0;
+      for (int y = 0; y < all; ++y)
+        for (int x = 0; x < all; ++x) {
+          if (x % side != 0 && x % side != side - 1 && y % side != 0 && y % side != side - 1) continue;
+          int sum = 0;
+          for (int i = 0; i < shrink * shrink; ++i)
+            sum += alphaAt(image, x * shrink + i % shrink, y * shrink + i / shrink);
+          most = std::max(most, sum / (shrink * shrink));
+        }
+      // Three hundredths are left in the last level, of eight pixels a sprite.
+      EXPECT_LE(most, side > 8 ? 0 : 7) << atlas.file << ' ' << side;
+    }
+  }
+}
+
 TEST(Sprites, TheCommittedSetIsWhatIsBaked) {
   const ByteImage committed = test::readPng(textures() / "cumulus.png"),
                   baked = bakeSprites(base::Genus::Cumulus, false).color;

@@ -9,7 +9,7 @@ namespace {
 TEST(Atmosphere, SunlightFromTheZenithIsThinnedAsKnown) {
   // Rayleigh's optical depths with a scale height of 8 km, the aerosol's 0.024, ozone's 15 km of its layer.
   const glm::vec3 found = sunTransmittance(90, 0);
-  const double air[] = {5.8e-6, 13.5e-6, 33.1e-6}, ozone[] = {0.65e-6, 1.88e-6, 0.085e-6};
+  const double air[] = {5.802e-6, 13.558e-6, 33.1e-6}, ozone[] = {0.650e-6, 1.881e-6, 0.085e-6};
   for (int c = 0; c < 3; ++c)
     EXPECT_NEAR(found[c], std::exp(-(air[c] * 8000 + 2e-5 * 1200 + ozone[c] * 15'000)), 0.01) << c;
 }

@@ -50,6 +50,8 @@ float meanLuminance(const std::vector<shape::Puff>& puffs, const std::vector<Puf
   return sum / count;
 }
 
+// Photons give this block 14 times more light on its sunlit side than on the other (sun at 20 degrees), 7
+// times more above than below (zenith), before sky and tone curve.
 TEST(Shade, TheSunlitSideIsBrighter) {
   const auto puffs = block(0.02f);
   const auto lights = shaded(puffs, lightingOf(90, 20));
@@ -60,11 +62,11 @@ TEST(Shade, TheSunlitSideIsBrighter) {
                                   [&](auto& p) { return p.center.x > 400 && inner(p.center.z) && level(p); });
   const float shadow = meanLuminance(
       puffs, lights, [&](auto& p) { return p.center.x < -400 && inner(p.center.z) && level(p); });
-  EXPECT_GT(lit, 1.2f * shadow);
+  EXPECT_GT(lit, 1.5f * shadow);
   const auto noon = shaded(puffs, lightingOf(180, 90));
   const auto middle = [&](const shape::Puff& p) { return inner(p.center.x) && inner(p.center.z); };
   EXPECT_GT(meanLuminance(puffs, noon, [&](auto& p) { return p.center.y > 400 && middle(p); }),
-            1.2f * meanLuminance(puffs, noon, [&](auto& p) { return p.center.y < 100 && middle(p); }));
+            1.3f * meanLuminance(puffs, noon, [&](auto& p) { return p.center.y < 100 && middle(p); }));
 }
 
 TEST(Shade, TheSunFromTheOtherSideMirrors) {
@@ -157,7 +159,9 @@ TEST_P(EveryGenusLit, TopsAreBrightUnderAHighSun) {
     return sweep.at(puff.center + puff.sigma.y * glm::vec3(0, 1, 0)) < 1;
   });
   RecordProperty("top", std::to_string(top));
-  EXPECT_GT(top, 0.5f);
+  // Photons leave the level top of the block above at 0.73 of white under a sun in the zenith, its lit side
+  // at 0.60; the tops of heaps are wisps that face all ways, under a sun at 45 degrees.
+  EXPECT_GT(top, 0.52f);
 }
 
 // One transfer for every sun: what the harmonics lose of the answers that are baked for one sun.

@@ -129,13 +129,14 @@ TEST_F(Cards, TheGroundLiesUnderTheBox) {
   const test::Glb glb = written(scene);
   const auto& node = glb.json["nodes"][0];
   ASSERT_EQ(node["name"], "ground");
-  EXPECT_EQ(node["translation"][1], 20.0);
   const auto& accessor =
       glb.json["accessors"]
               [glb.json["meshes"][node["mesh"].get<int>()]["primitives"][0]["attributes"]["POSITION"]
                    .get<int>()];
   EXPECT_NEAR(accessor["min"][0].get<double>() + node["translation"][0].get<double>(),
               scene.frame.lowerCorner().x, 0.01);
+  EXPECT_EQ(accessor["min"][1], 20.0);
+  EXPECT_EQ(accessor["max"][1], 20.0);
   EXPECT_NEAR(accessor["max"][2].get<double>() + node["translation"][2].get<double>(),
               scene.frame.upperCorner().y, 0.01);
 }
@@ -157,24 +158,34 @@ TEST_F(Cards, NameTheMissingTexture) {
   }
 }
 
-TEST_F(Cards, TerrainIsAMeshInsteadOfTheFlatGround) {
+TEST_F(Cards, CloudsInTheShadowOfOthersAreDarker) {
+  scene::Scene scene = test::gltfScene();
+  const auto colorsIn = [](const test::Glb& glb) {
+    int count = 0;
+    for (const auto& node : glb.json["nodes"])
+      if (node.contains("extensions"))
+        count += node["extensions"]["EXT_mesh_gpu_instancing"]["attributes"].contains("_COLOR_0");
+    return count;
+  };
+  EXPECT_EQ(colorsIn(written(scene)), 0);
+  scene.instances[0].sunlight = 0.4f;
+  EXPECT_EQ(colorsIn(written(scene)), 1);
+}
+
+TEST_F(Cards, TerrainIsTheGround) {
   scene::Scene scene = test::gltfScene();
   const glm::dvec2 lower = scene.frame.lowerCorner(), upper = scene.frame.upperCorner();
   scene.terrain = {3, 3, lower, 0.5 * (upper - lower), std::vector<float>(9, 20)};
   scene.terrain.heights[4] = 900;
   const test::Glb glb = written(scene);
-  std::set<std::string> names;
   for (const auto& mesh : glb.json["meshes"]) {
-    names.insert(mesh["name"].get<std::string>());
-    if (mesh["name"] != "terrain") continue;
+    if (mesh["name"] != "ground") continue;
     const auto& position =
         glb.json["accessors"][mesh["primitives"][0]["attributes"]["POSITION"].get<std::size_t>()];
     EXPECT_EQ(position["max"][1], 900);
     EXPECT_EQ(position["min"][1], 20);
     EXPECT_TRUE(mesh["primitives"][0]["attributes"].contains("NORMAL"));
   }
-  EXPECT_TRUE(names.contains("terrain"));
-  EXPECT_FALSE(names.contains("ground"));
   EXPECT_EQ(glb.json["asset"]["extras"]["terrain"]["heights_m"][4], 900);
 }
 

@@ -45,8 +45,15 @@ TEST(Terrain, IsAnElevationGridInEveryEncoding) {
   EXPECT_NE(xml.find(R"(zDimension="5")"), std::string::npos);
 }
 
-TEST(Terrain, FlatGroundHasNone) {
-  EXPECT_EQ(groundOf(test::sceneOf({}, 0), Encoding::Xml).find("ElevationGrid"), std::string::npos);
+TEST(Terrain, ShadowsOfCloudsLieOnTheGround) {
+  scene::Scene scene = test::sceneOf({}, 0);
+  const std::string sunny = groundOf(scene, Encoding::Xml);
+  const glm::dvec2 middle = 0.5 * (scene.frame.lowerCorner() + scene.frame.upperCorner());
+  const light::Caster cloud{glm::vec3(middle.x, 1000, middle.y), 5000, 500, 20};
+  scene.shadows = light::shadowsOf(std::span(&cloud, 1), {0, 1, 0}).whole;
+  const std::string shaded = groundOf(scene, Encoding::Xml);
+  EXPECT_NE(shaded, sunny);
+  EXPECT_LT(std::abs(static_cast<long>(shaded.size()) - static_cast<long>(sunny.size())), 20'000);
 }
 
 TEST(Terrain, NoEyeIsUnderTheGround) {
