@@ -114,7 +114,7 @@ Puff puffIn(const CellLayer& layer, std::size_t index, const Recipe& recipe, con
     x = atX, z = atZ, inside = within;
     break;
   }
-  const double dome = std::sqrt(base::smoothStep(0.5 * cell.gap, 0.75, inside));
+  const double dome = std::pow(base::smoothStep(0.3 * cell.gap, 0.7, inside), 0.4);
   const double lump = base::billowNoise({x * 3.0 / pitch, 0.7, z * 3.0 / pitch}, 3, layer.seed() + 9) - 0.72;
   const double level = stream.uniform() < 0.6 ? stream.uniform(0.8, 1.0) : std::sqrt(stream.uniform());
   const double top = cell.height * (0.2 + 0.7 * dome + 0.6 * lump * dome);
@@ -151,7 +151,7 @@ RawShape shapeCells(const Recipe& recipe, const ShapeRequest& request) {
     owed += request.puffs * area / totalArea;
     const int share = std::max(1, static_cast<int>(owed));
     owed -= share;
-    const double sigma = std::min(0.65 * recipe.billboardSize * std::sqrt(area), 0.6 * std::sqrt(area / share));
+    const double sigma = std::min(0.75 * recipe.billboardSize * std::sqrt(area), 0.7 * std::sqrt(area / share));
     for (int i = 0; i < share; ++i)
       shape.puffs.push_back(puffIn(layer, index, recipe, request, sigma, fills));
   }

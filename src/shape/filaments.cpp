@@ -121,7 +121,7 @@ RawShape shapeFilaments(const Recipe& recipe, const ShapeRequest& request) {
     middle.heading = 0.14 * places.gaussian();
     middle.curl = turning * places.uniform(0.6, 1.3);
     middle.fall = std::min(0.85 * middle.head.y, 0.8 * depth) * places.uniform(0.7, 1.0);
-    middle.hook = places.uniform() < 0.5 ? 0.05 : 0.0;
+    middle.hook = places.uniform() < 0.5 ? 0.03 : 0.0;
     for (int i = 0; i < threads; ++i) {
       const double aside = band * fills.gaussian();
       Thread thread = middle;

@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "shape/forms.hpp"
+#include "shape/reduce.hpp"
 
 namespace cloudgen::shape {
 
@@ -26,13 +27,15 @@ void addHeap(std::vector<Lobe>& lobes, const Heap& heap, const Recipe& recipe, d
   const double steepness = std::clamp(heap.depth / heap.width, 0.4, 1.4);
   const double mainX = stream.uniform(-0.1, 0.1) * heap.width, mainZ = stream.uniform(-0.1, 0.1) * heap.width;
   const auto points = place(recipe.sectionPlacement, heap.turrets, stream);
+  // Few turrets stand for many: they are wider.
+  const double wider = std::max(1.0, 2.0 / std::pow(heap.turrets, 0.45));
   for (int i = 0; i < heap.turrets; ++i) {
     const bool main = i == 0;
     const glm::dvec2 aside = main ? glm::dvec2(0) : glm::dvec2(points[i].x, points[i].z);
     const double out = glm::length(aside);
     const double profile = (1.0 - 0.8 * std::pow(out, 1.0 / steepness)) * stream.uniform(0.35, 1.0);
     const double top = heap.depth * (main ? 1.0 : std::clamp(profile, 0.12, 0.88));
-    const double widest = recipe.sectionRadius * heap.width *
+    const double widest = wider * recipe.sectionRadius * heap.width *
                           (main ? 1.3 : stream.uniform(0.65, 1.25)) * (1.0 - 0.2 * out);
     Lobe foot;
     foot.radius = std::min(widest, 0.8 * top);
@@ -45,17 +48,15 @@ void addHeap(std::vector<Lobe>& lobes, const Heap& heap, const Recipe& recipe, d
 }
 
 /// A cloud much wider than tall stands for a field of heaps side by side, of many sizes.
-void addField(std::vector<Lobe>& lobes, const Recipe& recipe, const ShapeRequest& request,
+void addField(std::vector<Lobe>& lobes, const Recipe& recipe, const ShapeRequest& request, int heaps,
               base::RandomStream& stream) {
   const double width = request.widthMeters, depth = request.depthMeters;
-  const double natural = std::pow(width / (1.6 * depth), 2.0);
-  const int heaps = std::clamp(static_cast<int>(std::min(natural, request.puffs / 5.0)), 3, 400);
   const int turrets = std::clamp(request.puffs / (heaps * recipe.billboards * 2), 1, 5);
   const Placement disc{CoordinateSystem::Conical, PlacementVariant::Uniform, 0.45 * width, 1};
   const auto feet = place(disc, heaps, stream);
   for (int i = 0; i < heaps; ++i) {
     const double relative = stream.uniform(0.6, 1.35);
-    Heap heap{feet[i].x, feet[i].z, 1.3 * width / std::sqrt(static_cast<double>(heaps)) * relative};
+    Heap heap{feet[i].x, feet[i].z, 1.8 * width / std::sqrt(static_cast<double>(heaps)) * relative};
     heap.depth = depth * std::clamp(0.75 * relative * stream.uniform(0.75, 1.2), 0.3, 1.0);
     heap.turrets = turrets;
     heap.firstSection = static_cast<std::uint16_t>(i * turrets);
@@ -63,29 +64,51 @@ void addField(std::vector<Lobe>& lobes, const Recipe& recipe, const ShapeRequest
   }
 }
 
+int heapsOfField(const ShapeRequest& request) {
+  const double natural = std::pow(request.widthMeters / (1.6 * request.depthMeters), 2.0);
+  return std::clamp(static_cast<int>(natural), 3, 400);
+}
+
+/// A field that the budget cannot tell heap by heap is told by the moments of several, wide enough to leave
+/// no gaps between them.
+void tellByFew(std::vector<Puff>& puffs, int count) {
+  const auto wider = static_cast<float>(
+      std::min(2.0, std::pow(static_cast<double>(puffs.size()) / std::max(1, count), 0.3)));
+  puffs = reduce(puffs, std::max(1, count));
+  for (Puff& puff : puffs) {
+    puff.sigma *= glm::vec3(wider, 1, wider);
+    puff.extinctionPerMeter /= wider * wider;
+  }
+}
+
 }  // namespace
 
 RawShape shapeHeap(const Recipe& recipe, const ShapeRequest& request) {
+  constexpr int kPuffsOfHeap = 10;
   base::RandomStream places(request.seed, request.variant, base::Purpose::SectionPlace);
   base::RandomStream fills(request.seed, request.variant, base::Purpose::BillboardPlace);
   std::vector<Lobe> lobes;
+  int puffs = request.puffs;
   if (request.depthMeters < kFlatAspect * request.widthMeters) {
-    addField(lobes, recipe, request, places);
+    const int heaps = heapsOfField(request);
+    addField(lobes, recipe, request, heaps, places);
+    puffs = std::max(puffs, kPuffsOfHeap * heaps);
   } else {
     const int affordable = std::max(3, request.puffs / std::max(1, recipe.billboards));
     addHeap(lobes,
             {0, 0, request.widthMeters, request.depthMeters, std::min(recipe.sections, affordable), 0},
             recipe, request.tilt, places);
   }
-  if (request.puffs >= 12 * static_cast<int>(lobes.size())) growLobes(lobes, 1, 9, 0.46, places);
-  if (request.puffs >= 12 * static_cast<int>(lobes.size())) growLobes(lobes, 2, 7, 0.46, places);
+  if (puffs >= 12 * static_cast<int>(lobes.size())) growLobes(lobes, 1, 9, 0.46, places);
+  if (puffs >= 12 * static_cast<int>(lobes.size())) growLobes(lobes, 2, 7, 0.46, places);
   reachTo(lobes, request.depthMeters);
   RawShape shape;
-  fillLobes(shape.puffs, lobes, recipe, request.puffs, 0, fills);
+  fillLobes(shape.puffs, lobes, recipe, puffs, 0, fills);
   // Liquid water grows with height above the base (adiabatic ascent).
   for (Puff& puff : shape.puffs)
     puff.extinctionPerMeter *=
         0.4f + 0.6f * static_cast<float>(std::min(1.0, puff.center.y / request.depthMeters));
+  if (puffs > request.puffs) tellByFew(shape.puffs, request.puffs);
   return shape;
 }
 

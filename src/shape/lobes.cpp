@@ -79,7 +79,7 @@ void fillLobes(std::vector<Puff>& puffs, const std::vector<Lobe>& lobes, const R
     const double spacing = lobe.radius * std::sqrt(4.0 * std::numbers::pi / std::max(1, share));
     // Few are large and stand further in, so that the lobe ends where it ends with many.
     const double size = std::min(
-        lobe.radius * std::max(1.25 * recipe.billboardSize, 0.55 / std::cbrt(static_cast<double>(std::max(1, share)))), 0.62 * spacing);
+        lobe.radius * std::max(1.25 * recipe.billboardSize, 0.4 / std::cbrt(static_cast<double>(std::max(1, share)))), 0.62 * spacing);
     const double shell = std::max(0.2, 1.0 - 1.3 * size / lobe.radius);
     for (int i = 0; i < share; ++i) {
       const bool surface = stream.uniform() < (lobe.level == finest ? 0.88 : 0.7);
@@ -145,7 +145,7 @@ void addPrecipitation(std::vector<Puff>& puffs, const Recipe& recipe, const glm:
         glm::vec3(radius * 0.05, length * 0.16, radius * 0.05) * static_cast<float>(stream.uniform(0.7, 1.4));
     puff.rotation = glm::angleAxis(-0.33f, glm::vec3(0, 0, 1));
     puff.extinctionPerMeter = static_cast<float>(
-        recipe.precipitation * std::clamp(0.45 + 1.6 * curtain, 0.02, 1.5) * (1.0 - 0.65 * down));
+        recipe.precipitation * std::clamp(0.45 + 1.6 * curtain, 0.02, 1.5) * (1.0 - 0.9 * down));
     puffs.push_back(puff);
   }
 }

@@ -15,25 +15,27 @@ constexpr double kTrunk = -0.24;  ///< the updraught stands upwind of the middle
 /// Radius of the updraught's column in widths at a share of the depth: broad foot, then spreading under the
 /// anvil.
 double columnRadius(double share) {
-  return 0.075 + 0.02 * (1.0 - base::smoothStep(0.0, 0.4, share)) + 0.03 * base::smoothStep(0.6, 0.9, share);
+  return 0.09 + 0.025 * (1.0 - base::smoothStep(0.0, 0.4, share)) + 0.035 * base::smoothStep(0.6, 0.9, share);
 }
 
 /// Rising bubbles wound about a filled core, and the dome that shoots over the anvil.
 void addColumn(std::vector<Lobe>& lobes, const Recipe& recipe, const ShapeRequest& request, int rings,
                int turrets, base::RandomStream& stream) {
-  constexpr double kTop = 0.86;
+  constexpr double kTop = 0.86, kPuffsOfOne = 1500;
+  // Told by few puffs it stands for several towers.
+  const double broad = std::clamp(std::pow(kPuffsOfOne / request.puffs, 0.22), 1.0, 1.8);
   const double width = request.widthMeters, depth = request.depthMeters;
   const auto axis = [&](double y) { return kTrunk * width + 0.35 * request.tilt * y; };
   for (int ring = 0; ring < rings; ++ring) {
     const double share = (ring + 0.5) / rings * kTop;
-    const double column = columnRadius(share) * width;
+    const double column = broad * columnRadius(share) * width;
     const auto section = static_cast<std::uint16_t>(ring * 8 / rings);
     const double turn = 2.0 * std::numbers::pi * stream.uniform();
     lobes.push_back({{axis(share * depth), share * depth, 0}, 0.75 * column, section, 0, {0, 1, 0}});
     for (int turret = 0; turret < turrets; ++turret) {
       const double angle = turn + 2.0 * std::numbers::pi * (turret + stream.uniform(0, 0.7)) / turrets;
       Lobe lobe;
-      lobe.radius = recipe.sectionRadius * width * stream.uniform(0.4, 0.85) * (column / (0.1 * width));
+      lobe.radius = recipe.sectionRadius * width * stream.uniform(0.4, 0.85) * (column / (0.12 * width));
       const double out = column - 0.55 * lobe.radius * stream.uniform(0.4, 1.3);
       const double y = std::max(0.3 * lobe.radius, (share + stream.uniform(-0.5, 0.5) * kTop / rings) * depth);
       lobe.center = {axis(y) + out * std::cos(angle), y, out * std::sin(angle)};
@@ -81,6 +83,7 @@ void addAnvil(std::vector<Puff>& puffs, const ShapeRequest& request, int count, 
   const double start = (kTrunk - kUpwindReach) * width + 0.3 * request.tilt * depth;
   const double spacing = std::sqrt(0.6 * kAnvilLength / count) * width;
   constexpr double kThinning = 3.0;
+  const double widest = (0.02 + 0.02 * std::min(1.0, count / 300.0)) * width;
   const std::uint64_t noiseSeed = request.seed * 43 + request.variant;
   for (int i = 0; i < count; ++i) {
     // Fewer and larger puffs where it is thin: the faintest could not be drawn.
@@ -98,11 +101,11 @@ void addAnvil(std::vector<Puff>& puffs, const ShapeRequest& request, int count, 
     const double y = depth * (lower + (upper - lower) * stream.uniform());
     Puff puff;
     puff.center = glm::dvec3(start + along * kAnvilLength * width, y, across * half * width);
-    puff.sigma = glm::vec3(1.1 * spacing * larger, std::max(0.16 * (upper - lower) * depth, 20.0),
-                           0.5 * spacing * larger * stream.uniform(0.7, 1.3));
+    puff.sigma = glm::vec3(std::min(1.1 * spacing * larger, 2 * widest), std::max(0.16 * (upper - lower) * depth, 20.0),
+                           std::min(0.5 * spacing * larger, widest) * stream.uniform(0.7, 1.3));
     const double diverging = across * 0.13 / std::sqrt(along + 0.05) / kAnvilLength;
     puff.rotation = turnedAlong({1, 0.03 * stream.gaussian(), diverging});
-    puff.extinctionPerMeter = static_cast<float>(1.3 * std::exp(-3.5 * along) * thin * rim * upwind *
+    puff.extinctionPerMeter = static_cast<float>(1.3 * std::exp(-2.8 * along) * thin * rim * upwind *
                                                  std::clamp(0.95 + (1.2 + 2.5 * along) * streak, 0.03, 2.2) / puff.sigma.y);
     puff.section = 9;
     puffs.push_back(puff);
