@@ -114,17 +114,21 @@ Puff puffIn(const CellLayer& layer, std::size_t index, const Recipe& recipe, con
     x = atX, z = atZ, inside = within;
     break;
   }
-  const double dome = std::pow(base::smoothStep(0.3 * cell.gap, 0.7, inside), 0.4);
+  const double dome = std::sqrt(base::smoothStep(0.3 * cell.gap, 0.7, inside));
   const double lump = base::billowNoise({x * 3.0 / pitch, 0.7, z * 3.0 / pitch}, 3, layer.seed() + 9) - 0.72;
-  const double level = stream.uniform() < 0.6 ? stream.uniform(0.8, 1.0) : std::sqrt(stream.uniform());
-  const double top = cell.height * (0.2 + 0.7 * dome + 0.6 * lump * dome);
-  const double low = 0.06 * request.depthMeters;
+  const double level = stream.uniform() < 0.35 ? stream.uniform(0.8, 1.0) : stream.uniform();
+  // Rounded below, too: the rims hang higher than the middle.
+  const double low = request.depthMeters * (0.05 + 0.25 * (1.0 - dome) - 0.3 * std::min(0.0, lump));
+  const double top = std::max(cell.height * (0.3 + 0.6 * dome + 0.6 * lump * dome), low + 0.1 * cell.height);
   Puff puff;
-  const double y = std::clamp(low + (top - low) * level, low, 0.97 * request.depthMeters);
+  const double size = sigma * stream.uniform(0.75, 1.25) * (0.7 + 0.3 * level);
+  double y = std::max(low, low + (top - low) * level);
+  const double sigmaY = std::min({size * recipe.flattening, 0.25 * cell.height, 0.6 * y + 0.03 * request.depthMeters});
+  y = std::min(y, request.depthMeters - 0.8 * sigmaY);
   const double narrower = cell.turret ? 1.0 - 0.65 * y / cell.height : 1.0;
   puff.center = glm::dvec3(cell.x + (x - cell.x) * narrower, y, cell.z + (z - cell.z) * narrower);
-  const double size = sigma * stream.uniform(0.75, 1.25) * std::sqrt(narrower);
-  puff.sigma = glm::vec3(size * stretch, std::min(size * recipe.flattening, 0.3 * cell.height), size / stretch);
+  const double across = size * std::sqrt(narrower);
+  puff.sigma = glm::vec3(across * stretch, sigmaY, across / stretch);
   puff.extinctionPerMeter = static_cast<float>(cell.weight * (0.25 + 0.9 * dome) *
                                                std::clamp(1.0 + recipe.raggedness * 2.0 * lump, 0.2, 1.6));
   puff.section = static_cast<std::uint16_t>(index);

@@ -28,6 +28,8 @@ struct Thread {
   }
 };
 
+constexpr double kFaintest = 0.08;  ///< of a thread's density: what is fainter would not be drawn
+
 void addThread(std::vector<Puff>& puffs, const Thread& thread, const ShapeRequest& request, int count,
                std::uint16_t section, base::RandomStream& stream) {
   for (int i = 0; i < count; ++i) {
@@ -39,16 +41,17 @@ void addThread(std::vector<Puff>& puffs, const Thread& thread, const ShapeReques
     puff.center = here + 0.5 * spread *
                              glm::dvec3(stream.gaussian() * std::sin(thread.heading), 0.25 * stream.gaussian(),
                                         stream.gaussian() * std::cos(thread.heading));
-    puff.sigma = glm::vec3(std::max(step * 0.75, thread.thickness * 0.5), std::max(8.0, 0.22 * spread),
+    puff.sigma = glm::vec3(std::max(0.75 * step, 0.8 * spread), std::max(8.0, 0.22 * spread),
                            std::max(12.0, 0.3 * spread));
     puff.rotation = turnedAlong(glm::normalize(ahead - behind));
     const double grain =
         base::fractalNoise({here.x / (0.04 * request.widthMeters), here.y / (0.2 * request.depthMeters + 1),
                             here.z / (0.012 * request.widthMeters)},
                            3, 71);
-    puff.extinctionPerMeter =
-        static_cast<float>(thread.strength * std::exp(-1.1 * t) * (1.0 - base::smoothStep(0.7, 1.0, t)) *
-                           std::clamp(1.0 + 1.4 * grain, 0.15, 2.0) / std::max(1.0, puff.sigma.y / 30.0));
+    const double density = thread.strength * std::exp(-1.1 * t) * (1.0 - base::smoothStep(0.7, 1.1, t)) *
+                           std::clamp(1.0 + 1.4 * grain, 0.15, 2.0);
+    if (density < kFaintest) continue;
+    puff.extinctionPerMeter = static_cast<float>(density / std::max(1.0, puff.sigma.y / 30.0));
     puff.section = section;
     puffs.push_back(puff);
   }
@@ -132,7 +135,7 @@ RawShape shapeFilaments(const Recipe& recipe, const ShapeRequest& request) {
       thread.curl += 0.12 * fills.gaussian();
       thread.fall *= fills.uniform(0.7, 1.0);
       thread.thickness = breadth * recipe.sectionRadius * width * fills.uniform(0.5, 1.3);
-      thread.strength = std::exp(-0.5 * (aside / band) * (aside / band)) * fills.uniform(0.35, 1.0);
+      thread.strength = std::max(0.3, std::exp(-0.5 * (aside / band) * (aside / band))) * fills.uniform(0.5, 1.0);
       addThread(shape.puffs, thread, request, perThread, section, fills);
     }
     addHaze(shape.puffs, middle, band, depth, hazeShare, section);

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kFlatTower = 0.28;
 constexpr std::uint16_t kEvenSection = 0;
+constexpr int kPuffsForStrands = 8;
 
 RawShape texturedShape(const Recipe& recipe, const ShapeRequest& request) {
   switch (recipe.form) {
@@ -53,7 +54,7 @@ Puff blobOf(const Recipe& recipe, const ShapeRequest& request) {
 /// Adds what is even in a cloud, so that the rest holds `textureShare` of all.
 void addEven(RawShape& shape, const Recipe& recipe, const ShapeRequest& request, double textureShare) {
   std::vector<Puff> even;
-  if (recipe.form == Form::Filaments && !shape.puffs.empty())
+  if (recipe.form == Form::Filaments && request.puffs >= kPuffsForStrands)
     addStrands(even, request, kEvenSection);
   else
     even.push_back(blobOf(recipe, request));
