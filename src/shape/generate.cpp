@@ -67,12 +67,12 @@ void addEven(RawShape& shape, const Recipe& recipe, const ShapeRequest& request,
 
 RawShape rawShape(const Recipe& recipe, const ShapeRequest& request) {
   constexpr int kPuffsForTexture = 40;
-  constexpr double kEvenTexture = 0.45, kStrandedTexture = 0.65, kClosedTexture = 0.75;
+  constexpr double kEvenTexture = 0.45, kClosedTexture = 0.75;
   RawShape shape;
   // What is even shows what is usual for the genus only if there are puffs enough for it to be seen.
   if (!request.even || request.puffs >= kPuffsForTexture) shape = texturedShape(recipe, request);
   if (request.even)
-    addEven(shape, recipe, request, recipe.form == Form::Filaments ? kStrandedTexture : kEvenTexture);
+    addEven(shape, recipe, request, kEvenTexture);
   else if (request.closed)
     addEven(shape, recipe, request, kClosedTexture);
   return shape;
