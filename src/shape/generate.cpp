@@ -10,6 +10,8 @@ namespace cloudgen::shape {
 namespace {
 
 constexpr double kFlatTower = 0.28;
+constexpr std::uint16_t kEvenSection = 0;
+constexpr int kPuffsForStrands = 8;
 
 RawShape texturedShape(const Recipe& recipe, const ShapeRequest& request) {
   switch (recipe.form) {
@@ -39,17 +41,28 @@ double totalExtinctionArea(const std::vector<Puff>& puffs) {
   return sum;
 }
 
-/// Adds a soft blob as wide as an element fades out, so that the rest holds `textureShare` of all.
-void addBlob(RawShape& shape, const Recipe& recipe, const ShapeRequest& request, double textureShare) {
-  if (!shape.puffs.empty()) scaleExtinction(shape.puffs, textureShare / totalExtinctionArea(shape.puffs));
+/// A soft blob as wide as an element fades out.
+Puff blobOf(const Recipe& recipe, const ShapeRequest& request) {
   Puff puff;
   const auto sigma = static_cast<float>((recipe.form == Form::Cells ? 0.36 : 0.29) * request.widthMeters);
   puff.center.y = static_cast<float>(0.5 * request.depthMeters);
   puff.sigma = glm::vec3(sigma, static_cast<float>(0.27 * request.depthMeters), sigma);
   puff.extinctionPerMeter = 1;
-  puff.extinctionPerMeter =
-      static_cast<float>((shape.puffs.empty() ? 1 : 1 - textureShare) / extinctionArea(puff));
-  shape.puffs.push_back(puff);
+  return puff;
+}
+
+/// Adds what is even in a cloud, so that the rest holds `textureShare` of all.
+void addEven(RawShape& shape, const Recipe& recipe, const ShapeRequest& request, double textureShare) {
+  std::vector<Puff> even;
+  if (recipe.form == Form::Filaments && request.puffs >= kPuffsForStrands)
+    addStrands(even, request, kEvenSection);
+  else
+    even.push_back(blobOf(recipe, request));
+  if (!shape.puffs.empty()) {
+    scaleExtinction(shape.puffs, textureShare / totalExtinctionArea(shape.puffs));
+    scaleExtinction(even, (1 - textureShare) / totalExtinctionArea(even));
+  }
+  shape.puffs.insert(shape.puffs.end(), even.begin(), even.end());
 }
 
 RawShape rawShape(const Recipe& recipe, const ShapeRequest& request) {
@@ -59,9 +72,9 @@ RawShape rawShape(const Recipe& recipe, const ShapeRequest& request) {
   // What is even shows what is usual for the genus only if there are puffs enough for it to be seen.
   if (!request.even || request.puffs >= kPuffsForTexture) shape = texturedShape(recipe, request);
   if (request.even)
-    addBlob(shape, recipe, request, kEvenTexture);
+    addEven(shape, recipe, request, kEvenTexture);
   else if (request.closed)
-    addBlob(shape, recipe, request, kClosedTexture);
+    addEven(shape, recipe, request, kClosedTexture);
   return shape;
 }
 

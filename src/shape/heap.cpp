@@ -1,101 +1,114 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "shape/forms.hpp"
+#include "shape/reduce.hpp"
 
 namespace cloudgen::shape {
 
 namespace {
 
 constexpr double kFlatAspect = 0.3;
+constexpr double kSunk = 0.1;  ///< of a foot's radius: its middle above the base, which cuts it where it is widest
 
-/// A cloud much wider than tall stands for a field of heaps: domes side by side that cover its footprint.
-RawShape shapeHeapField(const Recipe& recipe, const ShapeRequest& request) {
-  base::RandomStream places(request.seed, request.variant, base::Purpose::SectionPlace);
-  base::RandomStream fills(request.seed, request.variant, base::Purpose::BillboardPlace);
-  const double width = request.widthMeters, depth = request.depthMeters;
-  const double natural = std::pow(width / (1.6 * depth), 2.0);
-  const int domes = std::clamp(static_cast<int>(std::min(natural, request.puffs / 5.0)), 3, 400);
-  const Placement disc{CoordinateSystem::Conical, PlacementVariant::Uniform, 0.45 * width, 1};
-  const auto feet = place(disc, domes, places);
-  RawShape shape;
-  double owed = 0;
-  for (int i = 0; i < domes; ++i) {
-    const double relative = places.uniform(0.6, 1.35);
-    const double radius = 0.52 * width / std::sqrt(static_cast<double>(domes)) * relative;
-    const double top = depth * std::clamp(0.75 * relative * places.uniform(0.75, 1.2), 0.3, 1.0);
-    owed += static_cast<double>(request.puffs) / domes * relative * relative;
-    const int share = std::max(2, static_cast<int>(owed));
-    owed -= share;
-    for (const glm::dvec3& p :
-         place({CoordinateSystem::HalfSpherical, PlacementVariant::Uniform}, share, fills)) {
-      Puff puff;
-      const double sigma =
-          std::min(0.42, 0.75 / std::cbrt(static_cast<double>(share))) * radius * fills.uniform(0.8, 1.2);
-      const double sigmaY = std::min(sigma * recipe.flattening, 0.22 * top);
-      puff.center =
-          glm::dvec3(feet[i].x + p.x * 0.75 * radius + request.tilt * p.y * top,
-                     std::clamp(0.9 * p.y * top, 1.5 * sigmaY, std::max(1.5 * sigmaY, top - 1.5 * sigmaY)),
-                     feet[i].z + p.z * 0.75 * radius);
-      puff.sigma = glm::vec3(sigma, sigmaY, sigma);
-      puff.extinctionPerMeter = static_cast<float>(0.7 + 0.5 * p.y);
-      puff.section = static_cast<std::uint16_t>(i);
-      shape.puffs.push_back(puff);
-    }
+/// Where a heap stands, how large it is and of how many turrets.
+struct Heap {
+  double x = 0, z = 0, width = 1, depth = 1;
+  int turrets = 1;
+  std::uint16_t firstSection = 0;
+};
+
+/// One main turret off the middle, lesser ones leaning on it, low shoulders at the rim: the taller the heap
+/// is for its width, the steeper. All stand on one level.
+void addHeap(std::vector<Lobe>& lobes, const Heap& heap, const Recipe& recipe, double tilt,
+             base::RandomStream& stream) {
+  const double steepness = std::clamp(heap.depth / heap.width, 0.4, 1.4);
+  const double mainX = stream.uniform(-0.1, 0.1) * heap.width, mainZ = stream.uniform(-0.1, 0.1) * heap.width;
+  const auto points = place(recipe.sectionPlacement, heap.turrets, stream);
+  // Few turrets stand for many: they are wider.
+  const double wider = std::max(1.0, 2.0 / std::pow(heap.turrets, 0.45));
+  for (int i = 0; i < heap.turrets; ++i) {
+    const bool main = i == 0;
+    const glm::dvec2 aside = main ? glm::dvec2(0) : glm::dvec2(points[i].x, points[i].z);
+    const double out = glm::length(aside);
+    const double profile = (1.0 - 0.8 * std::pow(out, 1.0 / steepness)) * stream.uniform(0.35, 1.0);
+    const double top = heap.depth * (main ? 1.0 : std::clamp(profile, 0.12, 0.88));
+    const double widest = wider * recipe.sectionRadius * heap.width *
+                          (main ? 1.3 : stream.uniform(0.65, 1.25)) * (1.0 - 0.2 * out);
+    Lobe foot;
+    foot.radius = std::min(widest, 0.8 * top);
+    foot.center = {heap.x + mainX * (1 - out) + 0.38 * heap.width * aside.x, kSunk * foot.radius,
+                   heap.z + mainZ * (1 - out) + 0.38 * heap.width * aside.y};
+    foot.section = static_cast<std::uint16_t>(heap.firstSection + i);
+    foot.facing = glm::normalize(glm::dvec3(1.2 * aside.x, 0.75, 1.2 * aside.y));
+    raiseTurret(lobes, foot, top, tilt, stream);
   }
-  return shape;
+}
+
+/// A cloud much wider than tall stands for a field of heaps side by side, of many sizes.
+void addField(std::vector<Lobe>& lobes, const Recipe& recipe, const ShapeRequest& request, int heaps,
+              base::RandomStream& stream) {
+  const double width = request.widthMeters, depth = request.depthMeters;
+  const int turrets = std::clamp(request.puffs / (heaps * recipe.billboards * 2), 1, 5);
+  const Placement disc{CoordinateSystem::Conical, PlacementVariant::Uniform, 0.45 * width, 1};
+  const auto feet = place(disc, heaps, stream);
+  for (int i = 0; i < heaps; ++i) {
+    const double relative = stream.uniform(0.6, 1.35);
+    Heap heap{feet[i].x, feet[i].z, 1.8 * width / std::sqrt(static_cast<double>(heaps)) * relative};
+    heap.depth = depth * std::clamp(0.75 * relative * stream.uniform(0.75, 1.2), 0.3, 1.0);
+    heap.turrets = turrets;
+    heap.firstSection = static_cast<std::uint16_t>(i * turrets);
+    addHeap(lobes, heap, recipe, request.tilt, stream);
+  }
+}
+
+int heapsOfField(const ShapeRequest& request) {
+  const double natural = std::pow(request.widthMeters / (1.6 * request.depthMeters), 2.0);
+  return std::clamp(static_cast<int>(natural), 3, 400);
+}
+
+/// A field that the budget cannot tell heap by heap is told by the moments of several, wide enough to leave
+/// no gaps between them.
+void tellByFew(std::vector<Puff>& puffs, int count) {
+  const auto wider = static_cast<float>(
+      std::min(2.0, std::pow(static_cast<double>(puffs.size()) / std::max(1, count), 0.3)));
+  puffs = reduce(puffs, std::max(1, count));
+  for (Puff& puff : puffs) {
+    puff.sigma *= glm::vec3(wider, 1, wider);
+    puff.extinctionPerMeter /= wider * wider;
+  }
 }
 
 }  // namespace
 
 RawShape shapeHeap(const Recipe& recipe, const ShapeRequest& request) {
-  if (request.depthMeters < kFlatAspect * request.widthMeters) return shapeHeapField(recipe, request);
-  const double width = request.widthMeters, depth = request.depthMeters;
+  constexpr int kPuffsOfHeap = 10;
   base::RandomStream places(request.seed, request.variant, base::Purpose::SectionPlace);
   base::RandomStream fills(request.seed, request.variant, base::Purpose::BillboardPlace);
-  const int budgetedSections = std::max(3, request.puffs / std::max(1, recipe.billboards));
-  const int sections = std::min(recipe.sections, budgetedSections);
-
-  // One main tower off the middle and lesser ones about it, as a real heap has.
-  const double mainX = places.uniform(-0.12, 0.12) * width, mainZ = places.uniform(-0.12, 0.12) * width;
   std::vector<Lobe> lobes;
-  const auto points = place(recipe.sectionPlacement, sections, places);
-  for (int i = 0; i < sections; ++i) {
-    const glm::dvec3 p = points[i];  // within a half ball of radius 1
-    const double reach = 0.37 * width;
-    const double outward = i == 0 ? 0.15 : 1.0;
-    const double x = outward * p.x * reach + mainX * (1 - std::abs(p.x)),
-                 z = outward * p.z * reach + mainZ * (1 - std::abs(p.z));
-    const double fromMain = std::hypot(x - mainX, z - mainZ) / (0.5 * width);
-    // Turrets of uneven height, the tallest over the middle, low shoulders at the rim.
-    const double profile =
-        std::clamp((1.0 - 0.85 * fromMain * fromMain) * places.uniform(0.42, 1.0), 0.16, 1.0);
-    const double top = depth * (i == 0 ? 0.97 : profile);
-    const double radius = std::min(
-        recipe.sectionRadius * width * (i == 0 ? 1.35 : places.uniform(0.65, 1.25)) * (1.0 - 0.3 * fromMain),
-        0.52 * top);
-    for (double y = 0.4 * radius; y <= std::max(top - radius, 0.4 * radius) + 1e-9; y += 0.62 * radius) {
-      // A turret narrows a little above its base and swells again in its head.
-      const double share = y / std::max(top, 1e-9);
-      const double swell =
-          radius * (1.0 - 0.28 * std::sin(share * 3.14159265358979)) * places.uniform(0.85, 1.12);
-      const double wobble = 0.28 * radius;
-      lobes.push_back({{x + request.tilt * y + wobble * places.uniform(-1, 1),
-                        std::min(y, depth - swell * 0.95), z + wobble * places.uniform(-1, 1)},
-                       swell,
-                       static_cast<std::uint16_t>(i),
-                       0});
-    }
+  int puffs = request.puffs;
+  if (request.depthMeters < kFlatAspect * request.widthMeters) {
+    const int heaps = heapsOfField(request);
+    addField(lobes, recipe, request, heaps, places);
+    puffs = std::max(puffs, kPuffsOfHeap * heaps);
+  } else {
+    const int affordable = std::max(3, request.puffs / std::max(1, recipe.billboards));
+    addHeap(lobes,
+            {0, 0, request.widthMeters, request.depthMeters, std::min(recipe.sections, affordable), 0},
+            recipe, request.tilt, places);
   }
-  if (request.puffs >= 12 * static_cast<int>(lobes.size())) growLobes(lobes, 1, 12, 0.42, places);
-  if (request.puffs >= 14 * static_cast<int>(lobes.size())) growLobes(lobes, 2, 6, 0.45, places);
-  for (Lobe& lobe : lobes) lobe.center.y = std::min(lobe.center.y, depth - 0.8 * lobe.radius);
+  if (puffs >= 12 * static_cast<int>(lobes.size())) growLobes(lobes, 1, 9, 0.46, places);
+  if (puffs >= 12 * static_cast<int>(lobes.size())) growLobes(lobes, 2, 7, 0.46, places);
+  reachTo(lobes, request.depthMeters);
   RawShape shape;
-  fillLobes(shape.puffs, lobes, recipe, request.puffs, 0, fills);
+  fillLobes(shape.puffs, lobes, recipe, puffs, 0, fills);
   // Liquid water grows with height above the base (adiabatic ascent).
   for (Puff& puff : shape.puffs)
-    puff.extinctionPerMeter *= 0.55f + 0.45f * static_cast<float>(std::min(1.0, puff.center.y / depth));
+    puff.extinctionPerMeter *=
+        0.4f + 0.6f * static_cast<float>(std::min(1.0, puff.center.y / request.depthMeters));
+  if (puffs > request.puffs) tellByFew(shape.puffs, request.puffs);
   return shape;
 }
 

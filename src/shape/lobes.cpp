@@ -23,18 +23,43 @@ bool buried(const glm::dvec3& point, const std::vector<Lobe>& lobes, const Lobe&
 }  // namespace
 
 void growLobes(std::vector<Lobe>& lobes, int level, int children, double ratio, base::RandomStream& stream) {
-  const size_t parents = lobes.size();
-  for (size_t i = 0; i < parents; ++i) {
-    if (lobes[i].level != level - 1) continue;
+  const std::vector<Lobe> parents = lobes;
+  for (const Lobe& parent : parents) {
+    if (parent.level != level - 1) continue;
     for (int child = 0; child < children; ++child) {
-      const Lobe parent = lobes[i];
-      glm::dvec3 direction = stream.direction();
-      if (direction.y < -0.15) direction.y = -direction.y;
-      const double radius = parent.radius * ratio * stream.uniform(0.6, 1.25);
-      const double reach = parent.radius * stream.uniform(0.72, 0.98);
-      lobes.push_back({parent.center + direction * reach, radius, parent.section, level});
+      Lobe grown;
+      grown.facing = glm::normalize(stream.direction() + 0.75 * parent.facing);
+      grown.radius = parent.radius * ratio * stream.uniform(0.55, 1.3);
+      grown.center = parent.center + grown.facing * (parent.radius * stream.uniform(0.78, 1.02));
+      grown.section = parent.section;
+      grown.level = level;
+      if (grown.center.y > 0.3 * grown.radius && !buried(grown.center, parents, parent))
+        lobes.push_back(grown);
     }
   }
+}
+
+void raiseTurret(std::vector<Lobe>& lobes, const Lobe& foot, double top, double lean,
+                 base::RandomStream& stream) {
+  constexpr double kNarrowing = 0.45;
+  Lobe lobe = foot;
+  glm::dvec2 aside(0);
+  for (double y = foot.center.y;;) {
+    lobe.radius = foot.radius * (1.0 - kNarrowing * y / top) * stream.uniform(0.9, 1.1);
+    lobe.center = {foot.center.x + aside.x + lean * y, y, foot.center.z + aside.y};
+    lobes.push_back(lobe);
+    const double next = y + 0.55 * lobe.radius;
+    if (next + foot.radius * (1.0 - kNarrowing) > top) break;
+    aside += 0.3 * lobe.radius * glm::dvec2(stream.uniform(-1, 1), stream.uniform(-1, 1));
+    y = next;
+  }
+}
+
+void reachTo(std::vector<Lobe>& lobes, double heightMeters) {
+  double factor = 1e30;
+  for (const Lobe& lobe : lobes)
+    factor = std::min(factor, std::max(0.3, (heightMeters - lobe.radius) / std::max(lobe.center.y, 1e-6)));
+  for (Lobe& lobe : lobes) lobe.center.y *= factor;
 }
 
 void fillLobes(std::vector<Puff>& puffs, const std::vector<Lobe>& lobes, const Recipe& recipe, int count,
@@ -52,7 +77,10 @@ void fillLobes(std::vector<Puff>& puffs, const std::vector<Lobe>& lobes, const R
     owed -= share;
     // A puff covers its share of the lobe's surface, but not more than the recipe's size.
     const double spacing = lobe.radius * std::sqrt(4.0 * std::numbers::pi / std::max(1, share));
-    const double size = std::min(recipe.billboardSize * lobe.radius * 1.25, 0.62 * spacing);
+    // Few are large and stand further in, so that the lobe ends where it ends with many.
+    const double size = std::min(
+        lobe.radius * std::max(1.25 * recipe.billboardSize, 0.4 / std::cbrt(static_cast<double>(std::max(1, share)))), 0.62 * spacing);
+    const double shell = std::max(0.2, 1.0 - 1.3 * size / lobe.radius);
     for (int i = 0; i < share; ++i) {
       const bool surface = stream.uniform() < (lobe.level == finest ? 0.88 : 0.7);
       glm::dvec3 position{};
@@ -60,7 +88,7 @@ void fillLobes(std::vector<Puff>& puffs, const std::vector<Lobe>& lobes, const R
         glm::dvec3 direction = stream.direction();
         if (recipe.billboardPlacement.system == CoordinateSystem::HalfSpherical)
           direction.y = std::abs(direction.y);
-        const double depth = surface ? stream.uniform(0.8, 1.0) : 0.8 * std::cbrt(stream.uniform());
+        const double depth = surface ? shell * stream.uniform(0.92, 1.08) : shell * std::cbrt(stream.uniform());
         // Billows in the surface: round heaps between sharp creases.
         const glm::dvec3 onSurface = lobe.center + direction * lobe.radius;
         const double bulge = 0.88 + 0.75 * (base::billowNoise(onSurface * noiseScale * 2.1, 4, 17) - 0.70);
@@ -117,7 +145,7 @@ void addPrecipitation(std::vector<Puff>& puffs, const Recipe& recipe, const glm:
         glm::vec3(radius * 0.05, length * 0.16, radius * 0.05) * static_cast<float>(stream.uniform(0.7, 1.4));
     puff.rotation = glm::angleAxis(-0.33f, glm::vec3(0, 0, 1));
     puff.extinctionPerMeter = static_cast<float>(
-        recipe.precipitation * std::clamp(0.45 + 1.6 * curtain, 0.02, 1.5) * (1.0 - 0.65 * down));
+        recipe.precipitation * std::clamp(0.45 + 1.6 * curtain, 0.02, 1.5) * (1.0 - 0.9 * down));
     puffs.push_back(puff);
   }
 }

@@ -73,6 +73,8 @@ Recipe recipeFromJson(const std::string& text, const std::string& where) {
     recipe.raggedness = file.value("raggedness", 0.3f);
     recipe.precipitation = file.value("precipitation", 0.0f);
     recipe.alongWind = file.value("along_wind", false);
+    recipe.waves = file.value("waves", 0.0f);
+    recipe.turrets = file.value("turrets", 0.0f);
     recipe.streets = file.value("streets", 0.0f);
     return recipe;
   } catch (const json::exception& error) {

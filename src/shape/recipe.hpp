@@ -44,6 +44,8 @@ struct Recipe {
   float raggedness = 0.3f;  ///< wisps and scud about the edges, 0..1
   float precipitation = 0;  ///< optical depth of the shaft below the base, as a share of the cloud's
   bool alongWind = false;   ///< elements are turned into the wind
+  float waves = 0;          ///< cells: 0 in no order .. 1 ranked in rolls across the wind
+  float turrets = 0;        ///< cells: share of them that tower over the others (castellanus)
   float streets = 0;        ///< length of cloud streets along the wind, in clouds; 0: none
 };
 

@@ -10,48 +10,124 @@
 namespace cloudgen::shape {
 namespace {
 
-/// Radius of the updraught's column at a height share: broad foot, waist, spreading under the anvil.
+constexpr double kTrunk = -0.24;  ///< the updraught stands upwind of the middle, in widths
+
+/// Radius of the updraught's column in widths at a share of the depth: broad foot, then spreading under the
+/// anvil.
 double columnRadius(double share) {
-  return 0.098 + 0.035 * std::pow(1.0 - share, 2.0) + 0.04 * base::smoothStep(0.65, 1.0, share);
+  return 0.09 + 0.025 * (1.0 - base::smoothStep(0.0, 0.4, share)) + 0.035 * base::smoothStep(0.6, 0.9, share);
 }
 
-/// Fibres of ice that leave the top of the column on all sides, mostly downwind, thinning outwards.
-void addAnvil(std::vector<Puff>& puffs, const ShapeRequest& request, double trunkX, std::uint16_t section,
-              int count, base::RandomStream& stream) {
+/// Rising bubbles wound about a filled core, and the dome that shoots over the anvil.
+void addColumn(std::vector<Lobe>& lobes, const Recipe& recipe, const ShapeRequest& request, int rings,
+               int turrets, base::RandomStream& stream) {
+  constexpr double kTop = 0.86, kPuffsOfOne = 1500;
+  // Told by few puffs it stands for several towers.
+  const double broad = std::clamp(std::pow(kPuffsOfOne / request.puffs, 0.22), 1.0, 1.8);
   const double width = request.widthMeters, depth = request.depthMeters;
-  const double level = 0.87 * depth, thickness = 0.12 * depth;
-  const int perFibre = std::max(4, std::min(26, count / 60));
-  for (int fibre = 0; fibre < count / perFibre; ++fibre) {
-    // Headings crowd downwind (+x): the heading's density is 1 + 0.75 cos.
-    double heading = 0;
-    do heading = stream.uniform(-std::numbers::pi, std::numbers::pi);
-    while (stream.uniform() > (1.0 + 0.75 * std::cos(heading)) / 1.75);
-    const double downwind = 0.5 + 0.5 * std::cos(heading);
-    const double lobed =
-        1.0 + 0.35 * base::fractalNoise(
-                         {2.2 * std::cos(heading), 2.2 * std::sin(heading), request.variant * 7.1}, 3, 61);
-    const double reach = width * (0.27 + 0.42 * downwind * downwind) * lobed * stream.uniform(0.5, 1.0);
-    const double start = 0.10 * width * std::sqrt(stream.uniform());
-    const double lift = stream.uniform(-0.5, 0.5);
-    const double bend = 0.5 * std::sin(heading);
-    for (int i = 0; i < perFibre; ++i) {
-      const double along = (i + stream.uniform()) / perFibre;
-      const double r = start + along * (reach - start);
-      const double turned = heading - bend * along * 0.55;
-      const double thin = 1.0 - 0.72 * along;
-      const double y = level + thickness * (lift * thin + 0.45 * along) - 0.03 * depth * (1 - along);
-      Puff puff;
-      puff.center = glm::dvec3(trunkX + r * std::cos(turned), y, r * std::sin(turned));
-      const double length = 0.62 * (reach - start) / perFibre + 0.014 * width;
-      puff.sigma =
-          glm::vec3(length, thickness * 0.24 * thin + 20, 0.012 * width + 0.018 * width * stream.uniform());
-      puff.rotation = turnedAlong({std::cos(turned), 0.04, std::sin(turned)});
-      const double streak = base::fractalNoise({heading * 9.0, along * 1.6, lift}, 3, 67);
-      puff.extinctionPerMeter = static_cast<float>((0.5 * thin * thin + 0.04) *
-                                                   std::clamp(0.8 + 1.6 * streak, 0.08, 1.8) / puff.sigma.y);
-      puff.section = section;
-      puffs.push_back(puff);
+  const auto axis = [&](double y) { return kTrunk * width + 0.35 * request.tilt * y; };
+  for (int ring = 0; ring < rings; ++ring) {
+    const double share = (ring + 0.5) / rings * kTop;
+    const double column = broad * columnRadius(share) * width;
+    const auto section = static_cast<std::uint16_t>(ring * 8 / rings);
+    const double turn = 2.0 * std::numbers::pi * stream.uniform();
+    lobes.push_back({{axis(share * depth), share * depth, 0}, 0.75 * column, section, 0, {0, 1, 0}});
+    for (int turret = 0; turret < turrets; ++turret) {
+      const double angle = turn + 2.0 * std::numbers::pi * (turret + stream.uniform(0, 0.7)) / turrets;
+      Lobe lobe;
+      lobe.radius = recipe.sectionRadius * width * stream.uniform(0.4, 0.85) * (column / (0.12 * width));
+      const double out = column - 0.55 * lobe.radius * stream.uniform(0.4, 1.3);
+      const double y = std::max(0.3 * lobe.radius, (share + stream.uniform(-0.5, 0.5) * kTop / rings) * depth);
+      lobe.center = {axis(y) + out * std::cos(angle), y, out * std::sin(angle)};
+      lobe.section = section;
+      lobe.facing = glm::normalize(glm::dvec3(std::cos(angle), 0.7, std::sin(angle)));
+      lobes.push_back(lobe);
     }
+  }
+  const double dome = 0.05 * width;
+  lobes.push_back({{axis(depth), depth - dome, 0}, dome, 7, 0, {0, 1, 0}});
+}
+
+/// A line of lesser towers on the upwind side, the lower the further they are from the column.
+void addFlankingLine(std::vector<Lobe>& lobes, const ShapeRequest& request, int towers,
+                     base::RandomStream& stream) {
+  const double width = request.widthMeters, depth = request.depthMeters;
+  const double heading = stream.uniform(0.5, 1.0) * (stream.uniform() < 0.5 ? -1 : 1);
+  for (int i = 0; i < towers; ++i) {
+    const double along = (i + stream.uniform(0.4, 1.0)) / towers;
+    const double out = (0.1 + 0.2 * along) * width;
+    Lobe foot;
+    foot.radius = width * (0.062 - 0.028 * along) * stream.uniform(0.8, 1.2);
+    foot.center = {kTrunk * width - out * std::cos(heading), 0.1 * foot.radius,
+                   out * std::sin(heading) + 0.03 * width * stream.uniform(-1, 1)};
+    foot.section = 8;
+    foot.facing = glm::normalize(glm::dvec3(-0.4, 1, 0.4 * std::sin(heading)));
+    raiseTurret(lobes, foot, depth * (0.5 - 0.37 * along) * stream.uniform(0.8, 1.1), 0.3 * request.tilt, stream);
+  }
+}
+
+constexpr double kUpwindReach = 0.13, kAnvilLength = 0.9;  ///< of the anvil, in widths
+
+/// Height of the anvil's underside in depths: it rises downwind and towards the rims.
+double anvilUnderside(double along, double across) {
+  return 0.68 + 0.2 * base::smoothStep(0.05, 0.65, along) + 0.1 * across * across;
+}
+
+/// Half the anvil's breadth in widths, at a share of its length downwind.
+double anvilHalfBreadth(double along) { return 0.12 + 0.27 * std::sqrt(along); }
+
+/// The anvil: a wedge that the wind draws out, thick over the column, thin and torn into fibres at its far
+/// end; more than half of it overhangs. Fibres diverge as the outflow does.
+void addAnvil(std::vector<Puff>& puffs, const ShapeRequest& request, int count, base::RandomStream& stream) {
+  const double width = request.widthMeters, depth = request.depthMeters;
+  const double start = (kTrunk - kUpwindReach) * width + 0.3 * request.tilt * depth;
+  const double spacing = std::sqrt(0.6 * kAnvilLength / count) * width;
+  constexpr double kThinning = 3.0;
+  const double widest = (0.02 + 0.02 * std::min(1.0, count / 300.0)) * width;
+  const std::uint64_t noiseSeed = request.seed * 43 + request.variant;
+  for (int i = 0; i < count; ++i) {
+    // Fewer and larger puffs where it is thin: the faintest could not be drawn.
+    const double along = -std::log(1.0 - stream.uniform() * (1.0 - std::exp(-kThinning))) / kThinning;
+    const double across = stream.uniform(-1, 1), larger = 1.0 + 3.0 * along;
+    // How far a fibre reaches, and how dense it is, goes by where it starts.
+    const double reach = 0.85 - 0.35 * across * across + 0.7 * base::fractalNoise({5.0 * across, 0.7, 0.5}, 3, noiseSeed);
+    const double streak = base::fractalNoise({11.0 * across, 1.6 * along, 3.1}, 3, noiseSeed + 1);
+    const double rim = 1.0 - base::smoothStep(0.4, 1.0, std::abs(across) + 0.4 * streak);
+    const double thin = 1.0 - base::smoothStep(reach - 0.7, reach + 0.15, along);
+    const double upwind = base::smoothStep(0.0, 0.07, along);
+    const double upper = 0.93 - 0.02 * along - 0.02 * across * across;
+    const double lower = std::min(upper - 0.015, anvilUnderside(along, across) + 0.05 * streak);
+    const double half = anvilHalfBreadth(along);
+    const double y = depth * (lower + (upper - lower) * stream.uniform());
+    Puff puff;
+    puff.center = glm::dvec3(start + along * kAnvilLength * width, y, across * half * width);
+    puff.sigma = glm::vec3(std::min(1.1 * spacing * larger, 2 * widest), std::max(0.16 * (upper - lower) * depth, 20.0),
+                           std::min(0.5 * spacing * larger, widest) * stream.uniform(0.7, 1.3));
+    const double diverging = across * 0.13 / std::sqrt(along + 0.05) / kAnvilLength;
+    puff.rotation = turnedAlong({1, 0.03 * stream.gaussian(), diverging});
+    puff.extinctionPerMeter = static_cast<float>(1.3 * std::exp(-2.8 * along) * thin * rim * upwind *
+                                                 std::clamp(0.95 + (1.2 + 2.5 * along) * streak, 0.03, 2.2) / puff.sigma.y);
+    puff.section = 9;
+    puffs.push_back(puff);
+  }
+}
+
+/// Ice that falls from the anvil's underside and evaporates: faint threads that trail upwind.
+void addFallstreaks(std::vector<Puff>& puffs, const ShapeRequest& request, int count,
+                    base::RandomStream& stream) {
+  const double width = request.widthMeters, depth = request.depthMeters;
+  for (int i = 0; i < count; ++i) {
+    const double along = 0.8 * stream.uniform() * stream.uniform(), across = stream.uniform(-0.8, 0.8);
+    const double fall = depth * stream.uniform(0.02, 0.07);
+    Puff puff;
+    puff.center = glm::dvec3((kTrunk - kUpwindReach + kAnvilLength * along) * width + 0.3 * request.tilt * depth,
+                             anvilUnderside(along, across) * depth - 0.6 * fall,
+                             across * anvilHalfBreadth(along) * width);
+    puff.sigma = glm::vec3(fall, 0.25 * fall, 0.006 * width);
+    puff.rotation = turnedAlong({1, 0.7, 0});
+    puff.extinctionPerMeter = static_cast<float>(0.25 * std::exp(-4.0 * along) / puff.sigma.y);
+    puff.section = 9;
+    puffs.push_back(puff);
   }
 }
 
@@ -61,52 +137,22 @@ RawShape shapeTower(const Recipe& recipe, const ShapeRequest& request) {
   const double width = request.widthMeters, depth = request.depthMeters;
   base::RandomStream places(request.seed, request.variant, base::Purpose::SectionPlace);
   base::RandomStream fills(request.seed, request.variant, base::Purpose::BillboardPlace);
-  const double trunkX = -0.16 * width;
-  const auto leaning = [&](double y) {
-    return trunkX + request.tilt * 0.35 * y + 0.05 * width * base::smoothStep(0.4, 1.0, y / depth);
-  };
-
-  // The column: lobes placed in a cylinder of the recipe's system, wound upwards.
+  const int affordable = request.puffs / std::max(1, recipe.billboards);
+  const int rings = std::clamp(affordable / 4, 4, recipe.sections);
   std::vector<Lobe> lobes;
-  const int sections = std::max(6, std::min(recipe.sections, request.puffs / std::max(1, recipe.billboards)));
-  const auto points = place(recipe.sectionPlacement, sections, places);
-  for (int i = 0; i < sections; ++i) {
-    const double share = (i + 0.5) / sections;
-    const double y = 0.03 * depth + share * 0.76 * depth;
-    const double column = columnRadius(share) * width;
-    // A filled core, and rising turrets on its surface that show.
-    const auto section = static_cast<std::uint16_t>(i * 8 / sections);
-    lobes.push_back({{leaning(y), y, 0}, 0.78 * column, section, 0});
-    for (int turret = 0; turret < 3; ++turret) {
-      const double angle = 2.0 * std::numbers::pi * (places.uniform() + turret / 3.0);
-      const double radius = recipe.sectionRadius * width * places.uniform(0.45, 1.0) * (1.0 - 0.25 * share);
-      const double out = column * places.uniform(0.62, 0.95) + 0.12 * radius * (points[i].x + points[i].z);
-      lobes.push_back({{leaning(y) + out * std::cos(angle), y + radius * places.uniform(-0.5, 0.5),
-                        out * std::sin(angle)},
-                       radius,
-                       section,
-                       0});
-    }
-  }
-  // An overshooting dome above the anvil, and flanking towers on the upwind side.
-  lobes.push_back({{leaning(0.89 * depth), 0.89 * depth, 0}, 0.045 * width, 7, 0});
-  for (int i = 0; i < sections / 3; ++i) {
-    const double out = places.uniform(0.18, 0.34) * width, side = places.uniform(-0.2, 0.2) * width;
-    const double top = depth * std::max(0.08, 0.42 - 0.95 * out / width) * places.uniform(0.75, 1.1);
-    const double radius = 0.055 * width * places.uniform(0.7, 1.2);
-    for (double y = 0.35 * radius; y < top; y += 0.8 * radius)
-      lobes.push_back({{trunkX - out + 0.1 * y, y, side}, radius * (1 - 0.35 * y / top), 8, 0});
-  }
-  if (request.puffs >= 14 * static_cast<int>(lobes.size())) growLobes(lobes, 1, 11, 0.42, places);
-  if (request.puffs >= 40 * static_cast<int>(lobes.size())) growLobes(lobes, 2, 5, 0.45, places);
+  addColumn(lobes, recipe, request, rings, std::clamp(affordable / rings, 2, 6), places);
+  addFlankingLine(lobes, request, std::clamp(affordable / 10, 1, 6), places);
+  if (request.puffs >= 14 * static_cast<int>(lobes.size())) growLobes(lobes, 1, 8, 0.46, places);
+  if (request.puffs >= 14 * static_cast<int>(lobes.size())) growLobes(lobes, 2, 6, 0.46, places);
+  reachTo(lobes, depth);
 
   RawShape shape;
-  fillLobes(shape.puffs, lobes, recipe, static_cast<int>(0.70 * request.puffs), 0, fills);
+  fillLobes(shape.puffs, lobes, recipe, static_cast<int>(0.68 * request.puffs), 0, fills);
   for (Puff& puff : shape.puffs)
     puff.extinctionPerMeter *= 0.8f + 0.4f * static_cast<float>(puff.center.y / depth);
-  addAnvil(shape.puffs, request, leaning(0.86 * depth), 9,
-           std::max(24, static_cast<int>(0.26 * request.puffs)), fills);
-  addPrecipitation(shape.precipitation, recipe, {trunkX + 0.02 * width, 0.02 * depth, 0}, 0.13 * width,
+  addAnvil(shape.puffs, request, std::max(20, static_cast<int>(0.24 * request.puffs)), fills);
+  addFallstreaks(shape.puffs, request, static_cast<int>(0.04 * request.puffs), fills);
+  addPrecipitation(shape.precipitation, recipe, {(kTrunk + 0.02) * width, 0.02 * depth, 0}, 0.1 * width,
                    0.11 * depth, std::max(6, static_cast<int>(0.04 * request.puffs)), fills);
   for (Puff& puff : shape.precipitation) puff.section = 10;
   return shape;
