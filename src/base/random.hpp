@@ -19,6 +19,8 @@ enum class Purpose : std::uint64_t {
   BillboardSize = 12,
   BillboardSprite = 13,
   ShapeDetail = 14,
+  GrammarRule = 15,
+  GrammarTurn = 16,
   SpriteNoise = 20,
   FieldNoise = 21,
   Test = 99

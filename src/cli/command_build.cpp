@@ -15,6 +15,7 @@
 #include "cli/command.hpp"
 #include "cli/input_options.hpp"
 #include "cli/report.hpp"
+#include "cli/shape_files.hpp"
 #include "cli/verification.hpp"
 #include "writer/catalogue.hpp"
 
@@ -24,7 +25,8 @@ namespace {
 /// The command line as written.
 struct BuildLine {
   InputLine input;
-  std::string output, box, formats, sun = "auto", frame = "local", types, typing, shape, shard, maxMemory;
+  std::string output, box, formats, sun = "auto", frame = "local", types, typing, shard, maxMemory;
+  ShapeLine shape;
   double typingWindowMinutes = 180;
   std::uint64_t seed = 1, maxPuffs = 200'000;
   int threads = 0;
@@ -36,7 +38,6 @@ void refuseWhatIsNotBuilt(const BuildLine& line) {
     throw base::NotBuiltError(option, what + " is not part of this build",
                               "leave it out; `cloudgen --version --json` says what is built");
   };
-  if (!line.shape.empty()) refuse("--shape", "a shape from a file");
   if (!line.shard.empty()) refuse("--shard", "building in shards");
   if (!line.maxMemory.empty()) refuse("--max-memory", "a memory limit");
   if (line.frame == "geo") refuse("--frame geo", "the curved-Earth frame");
@@ -114,6 +115,7 @@ int build(const BuildLine& line, const Terminal& terminal) {
 
   options.recipes = pipeline::readRecipes(line.types.empty() ? base::dataDir() / "templates" / "types"
                                                              : std::filesystem::path(line.types));
+  openShapes(options.recipes, line.shape);
   const auto source = openInput(line.input);
   const auto typing = line.typing.empty() ? nullptr
                                           : openTyping(line.typing, line.input, source->info().validTime,
@@ -143,12 +145,18 @@ int build(const BuildLine& line, const Terminal& terminal) {
   }
   write(true);
   auto report = reportOf(*source, typing.get(), outcome, folder.path(), watch.laps());
+  const auto shapes = shapesOf(options.recipes, outcome.scene);
+  if (!shapes.empty()) report["shapes"] = shapes;
   if (verification) report["verify"] = *verification;
   base::writeFile(folder.path() / "report.json", report.dump(2) + "\n");
   progress.step("writing", 1);
   folder.commit();
 
   for (const std::string& warning : outcome.warnings) terminal.warn(warning);
+  const bool shapeSeen =
+      std::any_of(shapes.begin(), shapes.end(), [](const auto& shape) { return shape.at("clouds") > 0; });
+  if (!line.shape.file.empty() && !shapeSeen)
+    terminal.warn("no cloud has the shape of --shape: this sky has no cumulus and no cumulonimbus");
   if (line.json) print(report.dump(2));
   if (verification && !verification->at("passed").get<bool>())
     terminal.warn(
@@ -195,7 +203,13 @@ std::function<int()> setupBuild(CLI::App& options, const Terminal& terminal) {
                   "minutes that the typing may be away from the model's time")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  options.add_option("--shape", line->shape, "a cloud shape from a file (not built yet)");
+  options.add_option(
+      "--shape", line->shape.file,
+      "clouds in heaps (Cu, Cb) take the form of a mesh (.obj .ply .off .gltf .glb), an L-system "
+      "(.json) or a volume (.vdb .nc); recipes give shapes to other genera");
+  options.add_option("--shape-variable", line->shape.variable,
+                     "the grid or variable of a volume (default: density, or cloud water)");
+  options.add_flag("--shape-z-up", line->shape.zUp, "z of a mesh or a .vdb is up, not y");
   options.add_option("--shard", line->shard, "I/N: only a share of the tiles (not built yet)");
   options.add_option("--max-memory", line->maxMemory, "limit of memory (not built yet)");
   const auto config = std::make_shared<std::string>();

@@ -23,16 +23,21 @@ std::function<int()> setupTypes(CLI::App& options, const Terminal&) {
       const shape::Recipe& recipe = book.of(genus);
       list.push_back({{"genus", base::abbreviation(genus)},
                       {"name", base::name(genus)},
-                      {"sections", recipe.sections},
-                      {"billboards", recipe.billboards},
                       {"width_m", {recipe.widthMeters.low, recipe.widthMeters.high}},
                       {"thickness_m", {recipe.thicknessMeters.low, recipe.thicknessMeters.high}},
                       {"optical_depth", recipe.opticalDepth},
                       {"sheet", recipe.sheet}});
+      const bool fromFile = recipe.form == shape::Form::File;
+      if (fromFile)
+        list.back()["shape"] = recipe.shapeFile;
+      else
+        list.back()["sections"] = recipe.sections, list.back()["billboards"] = recipe.billboards;
       if (!*asJson)
         print(fmt::format(
-            "{:<4} {:<14} {:>3} sections of {:>2} billboards, {:g}-{:g} m wide, {:g}-{:g} m thick",
-            base::abbreviation(genus), base::name(genus), recipe.sections, recipe.billboards,
+            "{:<4} {:<14} {}, {:g}-{:g} m wide, {:g}-{:g} m thick", base::abbreviation(genus),
+            base::name(genus),
+            fromFile ? recipe.shapeFile
+                     : fmt::format("{:>3} sections of {:>2} billboards", recipe.sections, recipe.billboards),
             recipe.widthMeters.low, recipe.widthMeters.high, recipe.thicknessMeters.low,
             recipe.thicknessMeters.high));
     }

@@ -44,7 +44,9 @@ double faintShare(const std::vector<shape::Puff>& puffs, double factor) {
 void fillWithFew(std::vector<shape::Puff>& puffs, const shape::Recipe& recipe, int asked) {
   constexpr double kWidest = 3;
   const double fewer = static_cast<double>(fewestPuffs(recipe)) / std::max(1, asked);
-  if (recipe.form == shape::Form::Veil || recipe.form == shape::Form::Filaments || fewer <= 1) return;
+  const bool fillsAnyway = recipe.form == shape::Form::Veil || recipe.form == shape::Form::Filaments ||
+                           recipe.form == shape::Form::File;
+  if (fillsAnyway || fewer <= 1) return;
   const bool flat = recipe.form == shape::Form::Cells;
   const auto wider = static_cast<float>(std::min(kWidest, flat ? std::sqrt(fewer) : std::cbrt(fewer)));
   const glm::vec3 by(wider, flat ? 1.0f : wider, wider);
@@ -157,8 +159,9 @@ ArchetypeShape shapeOf(const ArchetypeKey& key, const Options& options, const Ge
   }
   // Heaps bulge in the middle: they end where a little of them is left over, or they would be drawn out to
   // columns.
-  const bool heaped = (recipe.form == shape::Form::Heap || recipe.form == shape::Form::Tower) &&
-                      request.puffs >= fewestPuffs(recipe);
+  const bool heaped = recipe.form == shape::Form::File ||
+                      ((recipe.form == shape::Form::Heap || recipe.form == shape::Form::Tower) &&
+                       request.puffs >= fewestPuffs(recipe));
   fillWithFew(out.cloud.puffs, recipe, request.puffs);
   if (recipe.form == shape::Form::Veil) holdWithin(out.cloud.puffs, out.widthMeters);
   shape::spreadBetween(out.cloud.puffs, heaped ? 0.03 : field::kBorderShare, out.depthMeters,

@@ -136,10 +136,13 @@ class Fitting {
            std::max(alone, coveredSquareMeters(recipe, 1));
   }
 
-  /// A narrower heap is less deep, too, where it would else be a column.
+  /// A narrower heap is less deep, too, where it would else be a column; a form of its own keeps its
+  /// proportions.
   static double depthAt(const shape::Recipe& recipe, const Candidate& candidate, double share) {
     constexpr double kSlender = 0.6;  ///< depth over width
-    if (recipe.form != shape::Form::Heap || recipe.sheet) return candidate.depthMeters;
+    const bool ownForm = recipe.form == shape::Form::File;
+    if (recipe.sheet || (recipe.form != shape::Form::Heap && !ownForm)) return candidate.depthMeters;
+    if (ownForm) return candidate.depthMeters * std::max(0.3, share);
     const double asSlender = kSlender * share * candidate.widthMeters;
     return std::min<double>(candidate.depthMeters,
                             std::max(asSlender, candidate.depthMeters * std::max(0.3, share)));

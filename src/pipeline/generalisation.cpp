@@ -10,6 +10,7 @@
 #include "pipeline/archetype.hpp"
 #include "pipeline/canvas.hpp"
 
+#include "shape/file_shape.hpp"
 #include "shape/generate.hpp"
 
 namespace cloudgen::pipeline {
@@ -23,6 +24,8 @@ int fewestPuffs(const shape::Recipe& recipe) {
       return 110;
     case shape::Form::Veil:
       return 70;
+    case shape::Form::File:
+      return 300;
     case shape::Form::Filaments:
       break;
   }
@@ -42,6 +45,8 @@ double naturalWidthMeters(const shape::Recipe& recipe, double depthMeters) {
       return within(22.0 * depthMeters);
     case shape::Form::Veil:
       return within(25.0 * depthMeters);
+    case shape::Form::File:
+      return within(recipe.fileShape->widthOverDepth * depthMeters);
     case shape::Form::Filaments:
       break;
   }
@@ -78,6 +83,8 @@ int leastPuffs(const shape::Recipe& recipe) {
       return 3;
     case shape::Form::Tower:
       return 18;
+    case shape::Form::File:
+      return 40;
     case shape::Form::Cells:
     case shape::Form::Filaments:
       break;

@@ -54,6 +54,11 @@ shape::Recipe thinned(shape::Recipe recipe) {
   return recipe;
 }
 
+void RecipeBook::put(const shape::Recipe& recipe) {
+  recipes[static_cast<size_t>(recipe.genus)] = recipe;
+  thin[static_cast<size_t>(recipe.genus)] = thinned(recipe);
+}
+
 RecipeBook readRecipes(const std::filesystem::path& folder) {
   if (!std::filesystem::is_directory(folder))
     throw base::InputError(folder.string(), "is not a folder of recipes",
@@ -71,7 +76,7 @@ RecipeBook readRecipes(const std::filesystem::path& folder) {
   for (const auto& file : files) {
     const nlohmann::json json = parsed(file);
     checkAgainstSchema(schema, json, file.string());
-    const shape::Recipe recipe = shape::recipeFromJson(json.dump(), file.string());
+    shape::Recipe recipe = shape::recipeFromJson(json.dump(), file.string());
     std::string& first = from[static_cast<size_t>(recipe.genus)];
     if (!first.empty())
       throw base::InputError(
@@ -79,8 +84,8 @@ RecipeBook readRecipes(const std::filesystem::path& folder) {
           "is a second recipe for " + std::string(base::name(recipe.genus)) + " beside " + first,
           "keep one of them");
     first = file.filename().string();
-    book.recipes[static_cast<size_t>(recipe.genus)] = recipe;
-    book.thin[static_cast<size_t>(recipe.genus)] = thinned(recipe);
+    if (!recipe.shapeFile.empty()) recipe.shapeFile = (file.parent_path() / recipe.shapeFile).string();
+    book.put(recipe);
   }
   for (const base::Genus genus : base::allGenera())
     if (from[static_cast<size_t>(genus)].empty())

@@ -22,6 +22,8 @@ struct RecipeBook {
   const shape::Recipe& of(base::Genus genus, bool isThinLayer = false) const {
     return (isThinLayer ? thin : recipes)[static_cast<size_t>(genus)];
   }
+  /// Takes a recipe for its genus.
+  void put(const shape::Recipe& recipe);
   const shape::Recipe& of(const field::Layer& layer) const {
     return of(layer.genus, isThin(layerClassOf(layer.opticalDepth())));
   }

@@ -35,7 +35,9 @@ CloudSize sizeOf(const field::Layer& layer, std::uint32_t ordinal, double layerD
   if (!recipe.sheet) {
     base::RandomStream stream(options.seed, layer.cell, base::Purpose::CloudSize, itemOf(layer, ordinal));
     const double relative = relativeWidth(stream.uniform()) / kNormal;
-    size.widthMeters *= relative;
+    // A form of its own keeps its proportions, and so the width that goes with the layer's depth.
+    const bool ownForm = recipe.form == shape::Form::File;
+    size.widthMeters *= ownForm ? std::clamp(relative, 0.85, 1.15) : relative;
     if (recipe.form == shape::Form::Heap) {
       const double share = std::clamp(0.35 + 0.45 * relative + 0.12 * stream.gaussian(), 0.25, 1.0);
       // One that is enlarged stands for several, of which the deepest reach the layer's top.

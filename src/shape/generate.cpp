@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "shape/file_shape.hpp"
 #include "shape/forms.hpp"
 
 namespace cloudgen::shape {
@@ -25,6 +26,8 @@ RawShape texturedShape(const Recipe& recipe, const ShapeRequest& request) {
       return shapeCells(recipe, request);
     case Form::Veil:
       return shapeVeil(recipe, request);
+    case Form::File:
+      return shapeFromFile(recipe, request);
     case Form::Filaments:
       break;
   }

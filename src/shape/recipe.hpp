@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "base/genus.hpp"
@@ -10,12 +11,15 @@ namespace cloudgen::shape {
 
 /// How the sections of a cloud are filled.
 enum class Form {
-  Heap,      ///< lobes on lobes over a flat base: cumulus
-  Tower,     ///< a heap drawn up, with anvil and precipitation: cumulonimbus
-  Cells,     ///< a field of rounded elements: stratocumulus, altocumulus, cirrocumulus
-  Veil,      ///< a continuous layer: stratus, altostratus, cirrostratus, nimbostratus, fog
-  Filaments  ///< threads and hooks bent by shear: cirrus
+  Heap,       ///< lobes on lobes over a flat base: cumulus
+  Tower,      ///< a heap drawn up, with anvil and precipitation: cumulonimbus
+  Cells,      ///< a field of rounded elements: stratocumulus, altocumulus, cirrocumulus
+  Veil,       ///< a continuous layer: stratus, altostratus, cirrostratus, nimbostratus, fog
+  Filaments,  ///< threads and hooks bent by shear: cirrus
+  File        ///< a mesh, a grammar or a volume from a file
 };
+
+struct FileShape;
 
 struct Range {
   float low = 0, high = 0;
@@ -26,7 +30,12 @@ struct Range {
 struct Recipe {
   base::Genus genus{};
   Form form = Form::Heap;
-  std::string sprites;  ///< name of the sprite set
+  // Form::File alone.
+  std::string shapeFile;      ///< path; in the text of a recipe relative to it
+  std::string shapeVariable;  ///< of a file with several; empty: the one that is cloud water or density
+  bool zUp = false;           ///< which axis of the file is up: y, or z
+  bool flatBase = false;      ///< cut off at a condensation level
+  std::shared_ptr<const FileShape> fileShape;  ///< the file as opened; recipeFromJson leaves it empty
   // Sections: the parts of a cloud (lobes, cells, threads).
   Placement sectionPlacement;  ///< radius and height are shares of half the width and of the depth
   int sections = 1;

@@ -190,6 +190,53 @@ TEST(Inputs, ReportsOfTheExample) {
   EXPECT_TRUE(genera.contains("Cu")) << genera;
 }
 
+TEST(Inputs, ShapesOfTheExamples) {
+  const std::filesystem::path shapes = std::filesystem::path(CLOUDGEN_SOURCE_DIR) / "examples" / "shapes";
+  for (const auto& [name, kind] : {std::pair{"hare.ply", "mesh"}, std::pair{"ring.obj", "mesh"},
+                                   std::pair{"congestus.lsystem.json", "lsystem"}}) {
+    SCOPED_TRACE(name);
+    Scratch folder;
+    const std::string sky = std::string(CLOUDGEN_SOURCE_DIR) + "/examples/gallery/cumulus.sky.json";
+    const Ran ran = runCloudgen({"build", sky, "--shape", shapes / name, "-o", folder.path() / "scene",
+                                 "--json", "--formats", "splats", "--max-puffs", "20000", "--verify"});
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    const json report = json::parse(ran.out);
+    expectFitsSchema(report, "report.schema.json");
+    EXPECT_EQ(report.at("shapes").at(0).at("file"), name);
+    EXPECT_EQ(report.at("shapes").at(0).at("kind"), kind);
+    EXPECT_GT(report.at("shapes").at(0).at("clouds").get<int>(), 2);
+    EXPECT_TRUE(report.at("verify").at("passed").get<bool>()) << report.at("verify").at("broken");
+  }
+}
+
+/// A recipe gives a volume to one genus; how near the puffs are to it is said.
+TEST(Inputs, ARecipeNamesAShape) {
+  Scratch folder;
+  const std::filesystem::path source(CLOUDGEN_SOURCE_DIR), types = folder.path() / "types";
+  std::filesystem::copy(source / "templates" / "types", types);
+  std::filesystem::copy(source / "tests" / "fuzz" / "seeds" / "volume" / "les.nc", types / "box.nc");
+  std::ofstream(types / "cumulus.json") << R"({
+    "genus": "Cu", "form": "file", "shape": {"file": "box.nc", "variable": "ql", "flat_base": true},
+    "width_m": [500, 4000], "thickness_m": [250, 5000], "optical_depth": 30, "sheet": false})";
+  const std::vector<std::string> build{"build",   folder.write("a.sky.json", smallSky()),
+                                       "--types", types,
+                                       "-o",      folder.path() / "scene",
+                                       "--json",  "--formats",
+                                       "splats",  "--max-puffs",
+                                       "5000",    "--overwrite"};
+  const Ran ran = runCloudgen(build);
+  ASSERT_EQ(ran.exitCode, 0) << ran.err;
+  const json report = json::parse(ran.out);
+  expectFitsSchema(report, "report.schema.json");
+  const json shape = report.at("shapes").at(0);
+  EXPECT_EQ(shape.at("kind"), "volume");
+  EXPECT_LT(shape.at("optical_depth_error").at("above").get<double>(), 0.5);
+  std::filesystem::remove(types / "box.nc");
+  const Ran without = runCloudgen(build);
+  EXPECT_EQ(without.exitCode, 1);
+  EXPECT_NE(without.err.find("box.nc"), std::string::npos) << without.err;
+}
+
 TEST(Inputs, TypingFarAwayInTimeIsRefused) {
   Scratch folder;
   const std::string model = folder.write("model.sky.json", smallSky());

@@ -101,6 +101,16 @@ TEST_F(Refusal, OptionsThatMakeNoSense) {
   refuses({"preview", folder.path(), "-o", out, "--size", "big"}, kUsage, "--size big");
 }
 
+TEST_F(Refusal, ShapesThatAreNone) {
+  refuses(buildWith({"--shape", folder.path() / "none.obj"}), kInput, "none.obj");
+  refuses(buildWith({"--shape", folder.write("flat.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")}), kInput,
+          "flat");
+  refuses(buildWith({"--shape", folder.write("bad.off", "OFF\n1 1 0\n0 0\n")}), kInput, "bad.off, line 3");
+  refuses(buildWith({"--shape", folder.write("a.lsystem.json", "{}")}), kInput, "a.lsystem.json");
+  refuses(buildWith({"--shape", folder.write("cloud.xyz", "")}), kInput, ".obj");
+  refuses(buildWith({"--shape", folder.write("cloud.vdb", "words")}), kInput, "is not OpenVDB");
+}
+
 TEST_F(Refusal, TimeThatTheDataDoNotHave) {
   refuses(buildWith({"--time", "2020-01-01T00:00Z"}), kInput, "2026-06-21T20:00");
 }

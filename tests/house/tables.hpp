@@ -44,7 +44,9 @@ inline const std::array kLibraries{
     Library{"netcdf", {"src/input/netcdf/"}},
     Library{"udunits2", {"src/input/netcdf/"}},
     Library{"libxml/", {"src/check/xsd/"}},
-    Library{"tiny_gltf", {"src/writer/gltf/glb_file.cpp"}},
+    Library{"tiny_gltf", {"src/writer/gltf/glb_file.cpp", "src/input/mesh/gltf.cpp"}},
+    Library{"CGAL/", {"src/shape/solid.cpp"}},
+    Library{"openvdb/", {"src/input/volume/vdb.cpp"}},
     Library{"OpenImageIO/", {"src/image/"}},
     Library{"Imath/", {"src/image/"}},
     Library{"tbb/", {"src/base/"}},
@@ -60,11 +62,11 @@ inline const std::array kLibraries{
 
 /// Only readers and writers of a format speak JSON.
 inline const std::set<std::string_view> kJsonOwners{
-    "src/shape/recipe.cpp", "src/pipeline/recipes.cpp", "src/image/sprite_", "src/input/",
-    "src/writer/",          "src/check/gltf/",          "src/cli/"};
+    "src/shape/recipe.cpp", "src/shape/grammar.cpp", "src/pipeline/recipes.cpp", "src/image/sprite_",
+    "src/input/",           "src/writer/",           "src/check/gltf/",          "src/cli/"};
 
 /// Ends a process that it has forked for itself; nothing else but src/cli/ ends one.
-inline constexpr std::string_view kChildProcess = "src/input/netcdf/trial.cpp";
+inline constexpr std::string_view kChildProcess = "src/input/trial.cpp";
 
 inline constexpr int kMostLines = 600;
 

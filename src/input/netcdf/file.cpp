@@ -12,7 +12,7 @@
 
 #include "base/error.hpp"
 #include "input/netcdf/classic_header.hpp"
-#include "input/netcdf/trial.hpp"
+#include "input/trial.hpp"
 
 namespace cloudgen::input::netcdf {
 namespace {
@@ -169,7 +169,7 @@ File::File(const std::filesystem::path& path) : path_(std::filesystem::absolute(
   const bool classic = checkClassicHeader(path_, name_);
   const std::lock_guard lock(libraryMutex());
   if (!classic)
-    tryInChild(name_, [this] {
+    tryInChild(name_, "HDF5", [this] {
       open();
       touchValues();
     });

@@ -5,7 +5,7 @@
 #include <iterator>
 
 #include "input/catalogue.hpp"
-#include "input/netcdf/trial.hpp"
+#include "input/trial.hpp"
 #include "netcdf_cases.hpp"
 
 namespace cloudgen {
@@ -130,9 +130,9 @@ TEST(NetcdfHostile, NothingAboutCloudsIsSaid) {
 }
 
 TEST(NetcdfHostile, ACrashOfTheLibraryIsAnError) {
-  EXPECT_NO_THROW(input::netcdf::tryInChild("a.nc", [] {}));
-  EXPECT_NO_THROW(input::netcdf::tryInChild("a.nc", [] { throw 1; }));
-  EXPECT_THROW(input::netcdf::tryInChild("a.nc", [] { std::abort(); }), base::InputError);
+  EXPECT_NO_THROW(input::tryInChild("a.nc", "HDF5", [] {}));
+  EXPECT_NO_THROW(input::tryInChild("a.nc", "HDF5", [] { throw 1; }));
+  EXPECT_THROW(input::tryInChild("a.nc", "HDF5", [] { std::abort(); }), base::InputError);
 }
 
 }  // namespace

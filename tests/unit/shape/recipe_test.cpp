@@ -26,7 +26,6 @@ TEST(Recipe, EveryGenusHasOne) {
     EXPECT_GT(recipe.sections, 0);
     EXPECT_GT(recipe.billboards, 0);
     EXPECT_GT(recipe.opticalDepth, 0);
-    EXPECT_FALSE(recipe.sprites.empty());
   }
 }
 
@@ -41,6 +40,20 @@ TEST(Recipe, WhatTheFileSaysIsRead) {
   EXPECT_FALSE(recipe.alongWind);
 }
 
+constexpr const char* kFileRecipe = R"({"genus": "Cu", "form": "file", "sheet": false, "optical_depth": 30,
+  "shape": {"file": "a.obj", "up": "z", "flat_base": true}, "width_m": [500, 4000], "thickness_m": [250, 5000]})";
+
+TEST(Recipe, AFormFromAFileNeedsNoSections) {
+  const Recipe recipe = recipeFromJson(kFileRecipe, "my.json");
+  EXPECT_EQ(recipe.form, Form::File);
+  EXPECT_EQ(recipe.shapeFile, "a.obj");
+  EXPECT_TRUE(recipe.zUp);
+  EXPECT_TRUE(recipe.flatBase);
+  std::string other = kFileRecipe;
+  expectRefused(other.replace(other.find("file"), 4, "heap"), "has a shape");
+  expectRefused(test::heapRecipeWith("\"form\": \"heap\"", "\"form\": \"file\""), "shape");
+}
+
 TEST(Recipe, WhatIsWrongIsNamed) {
   expectRefused(test::kHeapRecipe + std::string("}"), "is not a recipe");
   expectRefused("", "is not a recipe");
@@ -49,6 +62,12 @@ TEST(Recipe, WhatIsWrongIsNamed) {
   expectRefused(test::heapRecipeWith("\"form\": \"heap\"", "\"form\": \"pile\""), "pile");
   expectRefused(test::heapRecipeWith("half_spherical", "toroidal"), "coordinate_system");
   expectRefused(test::heapRecipeWith("\"placement\": \"uniform\"", "\"placement\": \"dense\""), "placement");
+  expectRefused(test::heapRecipeWith("\"size\": 0.3", "\"size\": 0.3, \"placement\": \"uniform\""),
+                "placement");
+  expectRefused(
+      test::heapRecipeWith("\"coordinate_system\": \"spherical\"", "\"coordinate_system\": \"cubic\""),
+      "neither");
+  expectRefused(test::heapRecipeWith("\"form\": \"heap\"", "\"form\": \"veil\""), "coordinate_system");
   expectRefused(test::heapRecipeWith("\"width_m\": [500, 4000]", "\"width_m\": [4000, 500]"), "low <= high");
   expectRefused(test::heapRecipeWith("\"width_m\": [500, 4000]", "\"width_m\": [0, 500]"), "low");
   expectRefused(test::heapRecipeWith("\"width_m\": [500, 4000]", "\"width_m\": [500]"), "is not a recipe");
