@@ -19,7 +19,7 @@ struct FieldFacts {
   std::uint64_t numbers = 0;
   std::uint64_t tuples = 0;  ///< complete ones
   std::array<double, 4> first{};
-  double low = 0, high = 0;
+  double low = 0, high = 0, sum = 0;  ///< of the numbers; not of lists of points or colours
   bool increasing = true;         ///< no number is less than the one before
   bool truth = false;             ///< of an SFBool
   std::uint64_t zeroAxes = 0;     ///< rotations about (0, 0, 0)

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -22,11 +22,19 @@ struct NodeRecord {
   std::vector<FieldFacts> facts;
   /// Of the children in one field: how many, and how many points or colours the last of them has (if known).
   struct Children {
+    std::string field;
     std::uint64_t count = 0;
     std::optional<std::uint64_t> tuples;
   };
-  std::map<std::string, Children, std::less<>> children;
+  std::vector<Children> children;
+  /// Fields that the document gives to a script, shader or prototype; null: none, or unknown.
+  std::shared_ptr<std::vector<FieldKind>> ownFields;
 
+  const Children* in(std::string_view field) const {
+    for (const Children& candidate : children)
+      if (candidate.field == field) return &candidate;
+    return nullptr;
+  }
   const FieldFacts* fact(std::string_view field) const {
     for (const FieldFacts& candidate : facts)
       if (candidate.field->name == field) return &candidate;
@@ -36,11 +44,12 @@ struct NodeRecord {
 
 /// What a DEF stands for.
 struct Definition {
-  std::string type;
+  const std::string* type = nullptr;  ///< null: not known
   const NodeKind* kind = nullptr;
   Position where;
   bool open = true;                     ///< its node is not closed yet
   std::optional<std::uint64_t> tuples;  ///< points or colours in it
+  std::shared_ptr<const std::vector<FieldKind>> ownFields;
 };
 
 struct MissingUse {
@@ -53,9 +62,16 @@ struct Route {
   Position where;
 };
 
-/// The rules about one finished node: index-range, index-triangles, index-face, texcoord-count, color-count,
-/// lod-range, lod-levels, switch-choice, rotation-axis, scale-zero, key-count, key-order.
+/// The rules about one finished node: those of checkGeometry, and lod-range, lod-levels, switch-choice,
+/// rotation-axis, scale-zero, key-count, key-order, color-count of a background.
 void checkNode(const NodeRecord& node, FindingList& findings);
+
+/// The rules about a finished geometry: index-range, index-count, index-triangles, index-face, vertex-count,
+/// texcoord-count, normal-count, color-count, grid-height-count.
+void checkGeometry(const NodeRecord& node, FindingList& findings);
+
+/// geo-system: what a geoSystem says of the Earth's shape and of its coordinates (ISO/IEC 19775-1, 25.2.2).
+void checkGeoSystem(const std::vector<std::string>& strings, Position where, FindingList& findings);
 
 /// The rules about urls: url-missing, url-outside. `strings` are the alternatives of one url field.
 void checkUrl(const std::vector<std::string>& strings, Position where, const std::filesystem::path& folder,

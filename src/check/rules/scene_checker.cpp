@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "check/rules/scene_checker.hpp"
 
-#include <tuple>
-
 #include "check/rules/profiles.hpp"
 
 namespace cloudgen::check {
@@ -10,18 +8,19 @@ namespace {
 
 constexpr int kVrml97 = 20;
 
-bool isNodeField(const FieldKind& field) { return field.type == "SFNode" || field.type == "MFNode"; }
-
 std::string place(Position where) { return fmt::format("line {}", where.line); }
 
-/// The field that a route's end names: "x", "set_x" or "x_changed" for an inputOutput field x.
-const FieldKind* routedField(const NodeKind& kind, std::string_view name, bool isSource) {
-  if (const FieldKind* exact = kind.field(name)) return exact;
-  constexpr std::string_view kSet = "set_", kChanged = "_changed";
-  if (isSource ? !name.ends_with(kChanged) : !name.starts_with(kSet)) return nullptr;
-  const FieldKind* plain =
-      kind.field(isSource ? name.substr(0, name.size() - kChanged.size()) : name.substr(kSet.size()));
-  return plain && plain->access == Access::InputOutput ? plain : nullptr;
+/// Where in the parent the node could go.
+std::string containerHint(const NodeKind& parent, const NodeKind& node) {
+  for (const FieldKind& field : parent.fields)
+    if (field.takesNodes() && node.fits(field) && field.access != Access::InputOnly &&
+        field.access != Access::OutputOnly)
+      return fmt::format("its containerField here is {}", field.name);
+  return fmt::format("{} has no field for it: put it into another node", parent.name);
+}
+
+bool mayStandInScene(const NodeKind& kind) {
+  return kind.is("X3DChildNode") || kind.is("X3DMetadataObject") || kind.name == "LayerSet";
 }
 
 }  // namespace
@@ -30,7 +29,7 @@ SceneChecker::SceneChecker(FindingList& findings, std::filesystem::path folder)
     : findings_(findings), folder_(std::move(folder)), components_(componentsOf("Full")) {
   open_.emplace_back();
   open_.back().type = "Scene";
-  beginScope();
+  scopes_.emplace_back();
 }
 
 void SceneChecker::document(int version, std::string_view profile, Position where) {
@@ -63,26 +62,34 @@ void SceneChecker::placeInParent(NodeRecord& node) {
   if (node.container.empty() && node.kind) node.container = inSet ? "value" : node.kind->container;
   if (node.container.empty() && (isScene || (parent.kind && parent.kind->field("children"))))
     node.container = "children";
-  auto& children = parent.children[node.container];
-  ++children.count;
+  std::uint64_t count = 0;
+  if (const auto* siblings = parent.in(node.container))
+    count = ++parent.children[static_cast<std::size_t>(siblings - parent.children.data())].count;
+  else
+    parent.children.push_back({node.container, count = 1, {}});
+  if (!node.kind) return;
   if (isScene) {
-    if (node.kind && node.kind->role != "child" && node.kind->role != "metadata")
+    if (!mayStandInScene(*node.kind))
       findings_.error(node.where, "container-field",
                       fmt::format("{} cannot stand in the scene itself", node.type),
                       "put it into the node that it belongs to");
-    else if (node.kind && node.container != node.kind->container)
+    else if (node.container != node.kind->container)
       findings_.error(node.where, "container-field",
                       fmt::format("the scene has no field {}", excerpt(node.container)),
                       fmt::format("leave containerField out: it is {}", node.kind->container));
     return;
   }
-  if (!parent.kind || !node.kind) return;
+  if (!parent.kind) return;
   const FieldKind* field = parent.kind->field(node.container);
-  if (!field || !isNodeField(*field) || field->accepts != node.kind->role)
+  if (!field || !field->takesNodes() || !node.kind->fits(*field))
     findings_.error(node.where, "container-field",
                     fmt::format("{} does not take {} as {}", parent.type, node.type, excerpt(node.container)),
-                    fmt::format("{} goes to a field {} of its parent", node.type, node.kind->container));
-  else if (field->type == "SFNode" && children.count > 1)
+                    containerHint(*parent.kind, *node.kind));
+  else if (field->access == Access::InputOnly || field->access == Access::OutputOnly)
+    findings_.error(node.where, "container-field",
+                    fmt::format("{} of {} cannot be given in a file", field->name, parent.type),
+                    containerHint(*parent.kind, *node.kind));
+  else if (field->type == "SFNode" && count > 1)
     findings_.error(node.where, "node-twice", fmt::format("{} has a second {}", parent.type, node.container),
                     "the field takes one node");
 }
@@ -110,15 +117,18 @@ void SceneChecker::define(std::string_view def, Position where) {
   NodeRecord& node = open_.back();
   node.def = def;
   auto& names = scopes_.back().names;
+  Definition definition;
+  if (!node.type.empty()) definition.type = &*types_.insert(node.type).first;
+  definition.kind = node.kind, definition.where = node.where, definition.ownFields = node.ownFields;
   const auto [found, isNew] =
-      names.try_emplace(node.def, Definition{node.type, node.kind, node.where, true, {}});
+      names.try_emplace(node.def, definition);
   if (isNew) return;
   const std::string message =
       fmt::format("the name {} is taken since {}", excerpt(def), place(found->second.where));
   if (version_ == kVrml97) {
     findings_.warning(where, "def-duplicate", message,
                       "later USEs mean this node; give it a name of its own");
-    found->second = Definition{node.type, node.kind, node.where, true, {}};
+    found->second = definition;
   } else {
     node.def.clear();
     findings_.error(where, "def-duplicate", message, "give the node a name of its own");
@@ -131,13 +141,14 @@ void SceneChecker::use(std::string_view name, Position where) {
   const auto& names = scopes_.back().names;
   const auto found = names.find(name);
   if (found == names.end()) {
-    scopes_.back().missing.push_back({std::string(name), node.type, where});
+    if (scopes_.back().missing.size() < FindingList::kLimit)
+      scopes_.back().missing.push_back({std::string(name), node.type, where});
   } else if (found->second.open && node.def != name) {
     findings_.error(where, "use-cycle", fmt::format("{} contains itself", excerpt(name)),
                     "a node cannot be used within itself");
-  } else if (!found->second.type.empty() && found->second.type != node.type) {
+  } else if (found->second.type && *found->second.type != node.type) {
     findings_.error(where, "use-type",
-                    fmt::format("{} is a {} ({}), not a {}", excerpt(name), found->second.type,
+                    fmt::format("{} is a {} ({}), not a {}", excerpt(name), *found->second.type,
                                 place(found->second.where), node.type),
                     "USE the name of a node of the same type");
   }
@@ -145,14 +156,18 @@ void SceneChecker::use(std::string_view name, Position where) {
 
 void SceneChecker::field(std::string_view name, std::string_view value, Position where) {
   NodeRecord& node = open_.back();
-  const FieldKind* kind = node.kind ? node.kind->field(name) : nullptr;
-  if (!kind || isNodeField(*kind)) return;
-  node.facts.push_back(readField(*kind, value, where, findings_));
-  const bool isUrl = kind->type == "MFString" && (name == "url" || name.ends_with("Url"));
-  if (!isUrl || !node.facts.back().readable) return;
+  const FieldKind* kind = currentField(name);
+  if (!kind || kind->takesNodes()) return;
+  if (node.kind) node.facts.push_back(readField(*kind, value, where, findings_));
+  if (kind->type != "MFString" || (node.kind && !node.facts.back().readable)) return;
+  const bool isUrl = name == "url" || name.ends_with("Url");
+  if (!isUrl && name != "geoSystem") return;
   std::vector<std::string> strings;
   splitStrings(value, strings);
-  checkUrl(strings, where, folder_, findings_);
+  if (!isUrl)
+    checkGeoSystem(strings, where, findings_);
+  else if (!node.kind || !node.kind->isOpen())  // a script's url may hold the script
+    checkUrl(strings, where, folder_, findings_);
 }
 
 void SceneChecker::end() {
@@ -160,12 +175,10 @@ void SceneChecker::end() {
   open_.pop_back();
   auto& names = scopes_.back().names;
   std::optional<std::uint64_t> tuples;
-  for (const FieldFacts& facts : node.facts)
-    if (facts.field->name == "point" || facts.field->name == "color")
-      if (facts.readable) tuples = facts.tuples;
-  const bool holdsTuples = node.kind && (node.kind->role == "coord" || node.kind->role == "texCoord" ||
-                                         node.kind->role == "color");
-  if (holdsTuples && node.facts.empty()) tuples = 0;
+  if (node.kind && !node.kind->tuplesField.empty()) {
+    const FieldFacts* facts = node.fact(node.kind->tuplesField);
+    if (!facts || facts->readable) tuples = facts ? facts->tuples : 0;
+  }
   if (!node.use.empty()) {
     if (!node.def.empty())
       findings_.error(
@@ -184,23 +197,70 @@ void SceneChecker::end() {
   if (const auto found = names.find(node.def); !node.def.empty() && found != names.end()) {
     found->second.open = false;
     found->second.tuples = tuples;
+    found->second.ownFields = node.ownFields;
   }
-  open_.back().children[node.container].tuples = tuples;
+  for (NodeRecord::Children& siblings : open_.back().children)
+    if (siblings.field == node.container) siblings.tuples = tuples;
 }
 
 void SceneChecker::foreignName(std::string_view name) {
-  scopes_.back().names.try_emplace(std::string(name), Definition{"", nullptr, {}, false, {}});
+  scopes_.back().names.try_emplace(std::string(name), Definition{nullptr, nullptr, {}, false, {}, nullptr});
 }
 
 std::string SceneChecker::typeOf(std::string_view name) const {
   const auto found = scopes_.back().names.find(name);
-  return found == scopes_.back().names.end() ? std::string() : found->second.type;
+  const bool known = found != scopes_.back().names.end() && found->second.type;
+  return known ? *found->second.type : std::string();
 }
 
-void SceneChecker::endScope() {
-  if (scopes_.size() == 1) return;
+const FieldKind* SceneChecker::currentField(std::string_view name) const {
+  const NodeRecord& node = open_.back();
+  if (const FieldKind* field = node.kind ? node.kind->field(name) : nullptr) return field;
+  if (node.ownFields)
+    for (const FieldKind& field : *node.ownFields)
+      if (field.name == name) return &field;
+  return nullptr;
+}
+
+void SceneChecker::beginBody() {
+  scopes_.emplace_back();
+  beginAnything();
+}
+
+void SceneChecker::endBody() {
+  endAnything();
   resolve(scopes_.back());
   scopes_.pop_back();
+}
+
+void SceneChecker::prototype(std::string_view name) {
+  declared_ = std::make_shared<std::vector<FieldKind>>();
+  scopes_.back().prototypes[std::string(name)] = declared_;
+}
+
+void SceneChecker::interfaceField(FieldKind field) {
+  if (declared_) declared_->push_back(std::move(field));
+}
+
+SceneChecker::Fields SceneChecker::fieldsOf(std::string_view prototype) const {
+  for (auto scope = scopes_.rbegin(); scope != scopes_.rend(); ++scope)
+    if (const auto found = scope->prototypes.find(prototype); found != scope->prototypes.end())
+      return found->second;
+  return nullptr;
+}
+
+void SceneChecker::instanceOf(std::string_view prototype, Position where) {
+  open_.back().ownFields = fieldsOf(prototype);
+  if (!open_.back().ownFields)
+    findings_.error(where, "proto-missing",
+                    fmt::format("there is no prototype named {}", excerpt(prototype)),
+                    "declare it before it is used; upper and lower case count");
+}
+
+void SceneChecker::ownField(FieldKind field) {
+  auto& fields = open_.back().ownFields;
+  if (!fields) fields = std::make_shared<std::vector<FieldKind>>();
+  fields->push_back(std::move(field));
 }
 
 void SceneChecker::finish() {
@@ -221,45 +281,6 @@ void SceneChecker::resolve(const Scope& scope) {
           "define the node at its first use");
   }
   for (const Route& route : scope.routes) checkRoute(route, scope);
-}
-
-void SceneChecker::checkRoute(const Route& route, const Scope& scope) {
-  const FieldKind* ends[2] = {nullptr, nullptr};
-  for (const bool isSource : {true, false}) {
-    const std::string& name = isSource ? route.fromNode : route.toNode;
-    const std::string& field = isSource ? route.fromField : route.toField;
-    const auto found = scope.names.find(name);
-    if (found == scope.names.end()) {
-      findings_.error(route.where, "route-node", fmt::format("there is no node named {}", excerpt(name)),
-                      "routes join nodes that have a DEF");
-      continue;
-    }
-    const Definition& node = found->second;
-    if (std::tie(node.where.line, node.where.column) > std::tie(route.where.line, route.where.column))
-      findings_.error(route.where, "route-forward",
-                      fmt::format("{} is defined after the route ({})", excerpt(name), place(node.where)),
-                      "move the ROUTE behind both nodes");
-    if (!node.kind) continue;
-    const FieldKind* kind = routedField(*node.kind, field, isSource);
-    if (!kind) {
-      findings_.error(route.where, "route-field",
-                      fmt::format("{} {} has no field {}", node.type, excerpt(name), excerpt(field)),
-                      "see the fields of the node in the specification");
-      continue;
-    }
-    if (kind->access != Access::InputOutput &&
-        kind->access != (isSource ? Access::OutputOnly : Access::InputOnly))
-      findings_.error(route.where, "route-access",
-                      fmt::format("{}.{} {}", name, field, isSource ? "sends no events" : "takes no events"),
-                      isSource ? "route from an outputOnly or inputOutput field"
-                               : "route to an inputOnly or inputOutput field");
-    ends[isSource ? 0 : 1] = kind;
-  }
-  if (ends[0] && ends[1] && ends[0]->type != ends[1]->type)
-    findings_.error(route.where, "route-type",
-                    fmt::format("{}.{} is an {}, {}.{} an {}", route.fromNode, route.fromField, ends[0]->type,
-                                route.toNode, route.toField, ends[1]->type),
-                    "both ends of a route have the same type");
 }
 
 }  // namespace cloudgen::check

@@ -3,6 +3,8 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,31 +35,49 @@ class SceneChecker {
   void field(std::string_view name, std::string_view value, Position where);
   void end();
 
-  void route(Route route) { scopes_.back().routes.push_back(std::move(route)); }
+  void route(Route route);
   /// A name that something outside of the scene stands behind (IMPORT).
   void foreignName(std::string_view name);
-  /// A prototype's body has names of its own.
-  void beginScope() { scopes_.emplace_back(); }
-  void endScope();
+
+  /// A part begins in which any node may stand: the value of a field that the document itself declares.
+  void beginAnything() { open_.emplace_back(); }
+  void endAnything() { open_.pop_back(); }
+  /// A prototype's body has names of its own, and any node may be its first.
+  void beginBody();
+  void endBody();
+  /// A prototype of this name can be used from now on; interface fields that follow are its own.
+  void prototype(std::string_view name);
+  void interfaceField(FieldKind field);
+  /// The open node is an instance of a prototype.
+  void instanceOf(std::string_view prototype, Position where);
+  /// The open node, a script or shader, has this field.
+  void ownField(FieldKind field);
 
   /// The type of the node of a name defined so far; empty if there is none.
   std::string typeOf(std::string_view name) const;
   /// The kind of the node that is open, or null.
   const NodeKind* current() const { return open_.back().kind; }
+  const FieldKind* currentField(std::string_view name) const;
+  bool isPrototype(std::string_view name) const { return fieldsOf(name) != nullptr; }
   /// After the last node: what needs the whole scene.
   void finish();
 
  private:
+  using Fields = std::shared_ptr<std::vector<FieldKind>>;
+
   struct Scope {
     std::map<std::string, Definition, std::less<>> names;
+    std::map<std::string, Fields, std::less<>> prototypes;
     std::vector<MissingUse> missing;
-    std::vector<Route> routes;
+    std::vector<Route> routes;  ///< whose nodes are not there yet
   };
 
   void placeInParent(NodeRecord& node);
   void needComponent(const NodeRecord& node);
+  Fields fieldsOf(std::string_view prototype) const;
   void resolve(const Scope& scope);
   void checkRoute(const Route& route, const Scope& scope);
+  const FieldKind* checkRouteEnd(const Route& route, bool isSource, const Scope& scope);
 
   FindingList& findings_;
   std::filesystem::path folder_;
@@ -65,6 +85,8 @@ class SceneChecker {
   std::map<std::string, int, std::less<>> components_;
   std::vector<NodeRecord> open_;  ///< the first stands for the scene itself
   std::vector<Scope> scopes_;
+  std::set<std::string, std::less<>> types_;  ///< of named nodes
+  Fields declared_;                           ///< of the prototype whose interface is read
 };
 
 }  // namespace cloudgen::check
