@@ -2,12 +2,12 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <string_view>
 
 #include "base/progress.hpp"
 #include "check/validation.hpp"
+#include "check/xsd/chosen_schema.hpp"
 
 namespace cloudgen::check {
 
@@ -15,7 +15,7 @@ namespace cloudgen::check {
 /// extensions, values of indices and positions. It does not replace the Khronos validator. The schema is not
 /// used. Throws InputError if the file cannot be read, InterruptedError on cancel.
 ValidationResult validateGlb(const std::filesystem::path& file,
-                             const std::optional<std::filesystem::path>& schema,
+                             const ChosenSchema& schema,
                              const base::Progress& progress);
 
 /// The same for bytes in memory.

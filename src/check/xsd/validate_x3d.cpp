@@ -148,14 +148,18 @@ void validate(ByteSource& source, const XmlSchema& schema, const fs::path& folde
 
 }  // namespace
 
-ValidationResult validateX3d(const fs::path& file, const std::optional<fs::path>& schema,
+const XmlSchema& ChosenSchema::compiled() const {
+  if (!schema_) schema_.emplace(file_ ? *file_ : base::dataDir() / "schemas" / "cloudgen-x3d.xsd");
+  return *schema_;
+}
+
+ValidationResult validateX3d(const fs::path& file, const ChosenSchema& schema,
                              const base::Progress& progress) {
   ByteSource source(file);
-  const XmlSchema compiled(schema ? *schema : base::dataDir() / "schemas" / "cloudgen-x3d.xsd");
   ValidationResult result;
   FindingList findings(file.string(), result);
   const fs::path folder = file.parent_path();
-  validate(source, compiled, folder.empty() ? fs::path(".") : folder, findings, progress);
+  validate(source, schema.compiled(), folder.empty() ? fs::path(".") : folder, findings, progress);
   return result;
 }
 
