@@ -18,6 +18,11 @@ std::string_view nameInX3d(std::string_view node, std::string_view field) {
   return node == "Collision" && field == "collide" ? "enabled" : field;
 }
 
+void append(std::string& values, std::string_view value) {
+  if (!values.empty()) values += ' ';
+  values += value;
+}
+
 }  // namespace
 
 void VrmlReader::read() {
@@ -242,7 +247,7 @@ std::string VrmlReader::readValue(const FieldKind& field) {
   std::string value;
   if (!field.type.starts_with("MF") || tokens_.peek().kind != TokenKind::OpenList) {
     for (int count = std::max(tupleSize(field.type), 1); count > 0; --count)
-      value += (value.empty() ? "" : " ") + expect(kind, what).text;
+      append(value, expect(kind, what).text);
     return value;
   }
   const Position start = tokens_.take().where;
@@ -268,7 +273,7 @@ std::string VrmlReader::readImage() {
       throw VrmlFormError{token.where, "vrml-limit", "an image of " + excerpt(token.text) + " pixels",
                           "put it into a file of its own"};
     if (i < 2) pixels *= number;
-    value += (value.empty() ? "" : " ") + token.text;
+    append(value, token.text);
   }
   for (; pixels > 0; --pixels) expect(TokenKind::Word, "a pixel of the image");
   return value;
