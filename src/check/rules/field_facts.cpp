@@ -122,6 +122,13 @@ FieldFacts readField(const FieldKind& field, std::string_view value, Position wh
     facts.readable = facts.truth || word == "false" || word == "FALSE";
     if (!facts.readable)
       findings.error(where, "boolean", field.name + " is " + excerpt(word), "an SFBool is true or false");
+  } else if (field.type == "MFBool") {
+    for (std::string_view rest = trimmed(value); !rest.empty(); rest = trimmed(rest)) {
+      std::size_t end = 0;
+      while (end < rest.size() && !separatesNumbers(rest[end])) ++end;
+      rest.remove_prefix(end);
+      ++facts.tuples;
+    }
   } else if (field.type == "MFString") {
     std::vector<std::string> strings;
     facts.readable = splitStrings(value, strings);

@@ -7,11 +7,15 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <unordered_set>
 #include <vector>
 
 #include "check/rules/field_facts.hpp"
+#include "check/text_hash.hpp"
 
 namespace cloudgen::check {
+
+struct Definition;
 
 /// A node while it is open, as the rules see it.
 struct NodeRecord {
@@ -30,6 +34,14 @@ struct NodeRecord {
   /// Fields that the document gives to a script, shader or prototype; null: none, or unknown.
   std::shared_ptr<std::vector<FieldKind>> ownFields;
 
+  Definition* definition = nullptr;  ///< what its DEF defined
+
+  /// Empty again, with the memory it has.
+  void clear() {
+    kind = nullptr, definition = nullptr;
+    type.clear(), def.clear(), use.clear(), container.clear();
+    facts.clear(), children.clear(), ownFields.reset();
+  }
   const Children* in(std::string_view field) const {
     for (const Children& candidate : children)
       if (candidate.field == field) return &candidate;
@@ -73,8 +85,19 @@ void checkGeometry(const NodeRecord& node, FindingList& findings);
 /// geo-system: what a geoSystem says of the Earth's shape and of its coordinates (ISO/IEC 19775-1, 25.2.2).
 void checkGeoSystem(const std::vector<std::string>& strings, Position where, FindingList& findings);
 
-/// The rules about urls: url-missing, url-outside. `strings` are the alternatives of one url field.
-void checkUrl(const std::vector<std::string>& strings, Position where, const std::filesystem::path& folder,
-              FindingList& findings);
+/// The rules about urls: url-missing, url-outside.
+class UrlRules {
+ public:
+  /// `folder` is where relative urls start; if empty, no file is looked for.
+  explicit UrlRules(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+  /// `value` is an MFString of alternatives.
+  void check(std::string_view value, Position where, FindingList& findings);
+
+ private:
+  std::filesystem::path folder_;
+  /// Values with nothing to say about: a scene names the same texture a thousand times.
+  std::unordered_set<std::string, TextHash, std::equal_to<>> sound_;
+};
 
 }  // namespace cloudgen::check

@@ -81,15 +81,14 @@ void checkAngles(const NodeRecord& node, std::string_view angles, std::string_vi
 
 void checkNode(const NodeRecord& node, FindingList& findings) {
   checkTurnsAndScales(node, findings);
-  if (node.kind->is("X3DGeometryNode")) checkGeometry(node, findings);
+  if (node.kind->isGeometry) checkGeometry(node, findings);
   if (node.type == "LOD") checkLevels(node, findings);
   if (node.type == "Switch") checkSwitch(node, findings);
-  if (node.kind->is("X3DBackgroundNode")) {
+  if (node.kind->isBackground) {
     checkAngles(node, "skyAngle", "skyColor", findings);
     checkAngles(node, "groundAngle", "groundColor", findings);
   }
-  const bool hasKeys = node.kind->field("key") && node.kind->field("keyValue");
-  if (hasKeys) checkInterpolator(node, findings);
+  if (node.kind->hasKeys) checkInterpolator(node, findings);
 }
 
 }  // namespace cloudgen::check

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <unordered_map>
 
 #include "check/rules/nodes/node_lists.hpp"
 
@@ -92,6 +93,10 @@ class Lists {
       node.container = cut(line, " : ");
       derive(node, name, typeFrom(line));
       node.tuplesField = tuplesFieldOf(node);
+      node.isGeometry = node.is("X3DGeometryNode");
+      node.isBackground = node.is("X3DBackgroundNode");
+      node.hasKeys = node.field("key") && node.field("keyValue");
+      node.isOpen = node.is("X3DScriptNode") || node.is("X3DProgrammableShaderObject");
       nodes_.push_back(std::move(node));
     }
   }
@@ -134,7 +139,7 @@ std::span<const NodeKind> nodeKinds() {
 
 const NodeKind* nodeKind(std::string_view name) {
   static const auto byName = [] {
-    std::map<std::string_view, const NodeKind*> index;
+    std::unordered_map<std::string_view, const NodeKind*> index;
     for (const NodeKind& node : nodeKinds()) index.emplace(node.name, &node);
     return index;
   }();

@@ -30,12 +30,12 @@ struct NodeKind {
   std::vector<std::string> types;  ///< itself and the abstract types that it derives from
   std::vector<FieldKind> fields;
   std::string tuplesField;  ///< of coordinates, normals and colours: the field that others index
+  bool isGeometry = false, isBackground = false, hasKeys = false;
+  bool isOpen = false;  ///< a document may give it fields of its own: a script or shader
 
   const FieldKind* field(std::string_view name) const;
   bool is(std::string_view type) const;
   bool fits(const FieldKind& field) const;
-  /// A document may give it fields of its own (Script, shaders).
-  bool isOpen() const { return is("X3DScriptNode") || is("X3DProgrammableShaderObject"); }
 };
 
 /// The node of a name, or null: then nothing is known about it, and nothing of it is checked.

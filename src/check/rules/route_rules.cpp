@@ -33,7 +33,7 @@ bool isBefore(Position a, Position b) { return std::tie(a.line, a.column) < std:
 
 void SceneChecker::route(Route route) {
   Scope& scope = scopes_.back();
-  const bool isDecided = scope.names.contains(route.fromNode) && scope.names.contains(route.toNode);
+  const bool isDecided = scope.names.find(route.fromNode) && scope.names.find(route.toNode);
   if (isDecided)
     checkRoute(route, scope);
   else if (scope.routes.size() < FindingList::kLimit)
@@ -54,13 +54,13 @@ void SceneChecker::checkRoute(const Route& route, const Scope& scope) {
 const FieldKind* SceneChecker::checkRouteEnd(const Route& route, bool isSource, const Scope& scope) {
   const std::string& name = isSource ? route.fromNode : route.toNode;
   const std::string& field = isSource ? route.fromField : route.toField;
-  const auto found = scope.names.find(name);
-  if (found == scope.names.end()) {
+  const Definition* found = scope.names.find(name);
+  if (!found) {
     findings_.error(route.where, "route-node", fmt::format("there is no node named {}", excerpt(name)),
                     "routes join nodes that have a DEF");
     return nullptr;
   }
-  const Definition& node = found->second;
+  const Definition& node = *found;
   if (isBefore(route.where, node.where))
     findings_.error(route.where, "route-forward",
                     fmt::format("{} is defined after the route (line {})", excerpt(name), node.where.line),

@@ -26,9 +26,8 @@ bool mayStandInScene(const NodeKind& kind) {
 }  // namespace
 
 SceneChecker::SceneChecker(FindingList& findings, std::filesystem::path folder)
-    : findings_(findings), folder_(std::move(folder)), components_(componentsOf("Full")) {
-  open_.emplace_back();
-  open_.back().type = "Scene";
+    : findings_(findings), urls_(std::move(folder)), components_(componentsOf("Full")) {
+  push().type = "Scene";
   scopes_.emplace_back();
 }
 
@@ -45,19 +44,24 @@ void SceneChecker::component(std::string_view name, int level) {
 
 void SceneChecker::begin(std::string_view type, Position where, std::string_view container) {
   ++findings_.result().nodes;
-  NodeRecord node;
+  NodeRecord& parent = top();
+  NodeRecord& node = push();
   node.type = type;
   node.kind = nodeKind(type);
   node.where = where;
   node.container = container;
-  placeInParent(node);
+  placeInParent(node, parent);
   if (node.kind) needComponent(node);
-  open_.push_back(std::move(node));
 }
 
-void SceneChecker::placeInParent(NodeRecord& node) {
-  NodeRecord& parent = open_.back();
-  const bool isScene = open_.size() == 1;
+NodeRecord& SceneChecker::push() {
+  if (depth_ == open_.size()) open_.emplace_back();
+  open_[depth_].clear();
+  return open_[depth_++];
+}
+
+void SceneChecker::placeInParent(NodeRecord& node, NodeRecord& parent) {
+  const bool isScene = depth_ == 2;  // the node is open already
   const bool inSet = parent.type == "MetadataSet";
   if (node.container.empty() && node.kind) node.container = inSet ? "value" : node.kind->container;
   if (node.container.empty() && (isScene || (parent.kind && parent.kind->field("children"))))
@@ -114,66 +118,71 @@ void SceneChecker::needComponent(const NodeRecord& node) {
 }
 
 void SceneChecker::define(std::string_view def, Position where) {
-  NodeRecord& node = open_.back();
+  NodeRecord& node = top();
   node.def = def;
   auto& names = scopes_.back().names;
   Definition definition;
-  if (!node.type.empty()) definition.type = &*types_.insert(node.type).first;
+  if (node.kind)
+    definition.type = &node.kind->name;
+  else if (!node.type.empty())
+    definition.type = &*types_.insert(node.type).first;
   definition.kind = node.kind, definition.where = node.where, definition.ownFields = node.ownFields;
   const auto [found, isNew] =
-      names.try_emplace(node.def, definition);
+      names.add(node.def, definition);
+  node.definition = found;
   if (isNew) return;
   const std::string message =
-      fmt::format("the name {} is taken since {}", excerpt(def), place(found->second.where));
+      fmt::format("the name {} is taken since {}", excerpt(def), place(found->where));
   if (version_ == kVrml97) {
     findings_.warning(where, "def-duplicate", message,
                       "later USEs mean this node; give it a name of its own");
-    found->second = definition;
+    *found = definition;
   } else {
     node.def.clear();
+    node.definition = nullptr;
     findings_.error(where, "def-duplicate", message, "give the node a name of its own");
   }
 }
 
 void SceneChecker::use(std::string_view name, Position where) {
-  NodeRecord& node = open_.back();
+  NodeRecord& node = top();
   node.use = name;
   const auto& names = scopes_.back().names;
-  const auto found = names.find(name);
-  if (found == names.end()) {
+  const Definition* found = names.find(name);
+  if (!found) {
     if (scopes_.back().missing.size() < FindingList::kLimit)
       scopes_.back().missing.push_back({std::string(name), node.type, where});
-  } else if (found->second.open && node.def != name) {
+  } else if (found->open && node.def != name) {
     findings_.error(where, "use-cycle", fmt::format("{} contains itself", excerpt(name)),
                     "a node cannot be used within itself");
-  } else if (found->second.type && *found->second.type != node.type) {
+  } else if (found->type && *found->type != node.type) {
     findings_.error(where, "use-type",
-                    fmt::format("{} is a {} ({}), not a {}", excerpt(name), *found->second.type,
-                                place(found->second.where), node.type),
+                    fmt::format("{} is a {} ({}), not a {}", excerpt(name), *found->type,
+                                place(found->where), node.type),
                     "USE the name of a node of the same type");
   }
 }
 
 void SceneChecker::field(std::string_view name, std::string_view value, Position where) {
-  NodeRecord& node = open_.back();
+  NodeRecord& node = top();
   const FieldKind* kind = currentField(name);
   if (!kind || kind->takesNodes()) return;
   if (node.kind) node.facts.push_back(readField(*kind, value, where, findings_));
   if (kind->type != "MFString" || (node.kind && !node.facts.back().readable)) return;
   const bool isUrl = name == "url" || name.ends_with("Url");
   if (!isUrl && name != "geoSystem") return;
+  const bool holdsScript = node.kind && node.kind->isOpen;  // in place of an address
+  if (isUrl && !holdsScript) urls_.check(value, where, findings_);
+  if (isUrl) return;
   std::vector<std::string> strings;
   splitStrings(value, strings);
-  if (!isUrl)
-    checkGeoSystem(strings, where, findings_);
-  else if (!node.kind || !node.kind->isOpen())  // a script's url may hold the script
-    checkUrl(strings, where, folder_, findings_);
+  checkGeoSystem(strings, where, findings_);
 }
 
 void SceneChecker::end() {
-  const NodeRecord node = std::move(open_.back());
-  open_.pop_back();
-  auto& names = scopes_.back().names;
+  const NodeRecord& node = top();
+  pop();  // its memory stays until the next begins
+  const auto& names = scopes_.back().names;
   std::optional<std::uint64_t> tuples;
   if (node.kind && !node.kind->tuplesField.empty()) {
     const FieldFacts* facts = node.fact(node.kind->tuplesField);
@@ -189,32 +198,31 @@ void SceneChecker::end() {
       findings_.error(node.where, "use-content",
                       fmt::format("USE {} has fields or children of its own", excerpt(node.use)),
                       "a USE shares the whole node: leave them out");
-    const auto found = names.find(node.use);
-    tuples = found == names.end() ? std::nullopt : found->second.tuples;
+    const Definition* found = names.find(node.use);
+    tuples = !found ? std::nullopt : found->tuples;
   } else if (node.kind) {
     checkNode(node, findings_);
   }
-  if (const auto found = names.find(node.def); !node.def.empty() && found != names.end()) {
-    found->second.open = false;
-    found->second.tuples = tuples;
-    found->second.ownFields = node.ownFields;
+  if (node.definition) {
+    node.definition->open = false;
+    node.definition->tuples = tuples;
+    node.definition->ownFields = node.ownFields;
   }
-  for (NodeRecord::Children& siblings : open_.back().children)
+  for (NodeRecord::Children& siblings : top().children)
     if (siblings.field == node.container) siblings.tuples = tuples;
 }
 
 void SceneChecker::foreignName(std::string_view name) {
-  scopes_.back().names.try_emplace(std::string(name), Definition{nullptr, nullptr, {}, false, {}, nullptr});
+  scopes_.back().names.add(name, Definition{nullptr, nullptr, {}, false, {}, nullptr});
 }
 
 std::string SceneChecker::typeOf(std::string_view name) const {
-  const auto found = scopes_.back().names.find(name);
-  const bool known = found != scopes_.back().names.end() && found->second.type;
-  return known ? *found->second.type : std::string();
+  const Definition* found = scopes_.back().names.find(name);
+  return found && found->type ? *found->type : std::string();
 }
 
 const FieldKind* SceneChecker::currentField(std::string_view name) const {
-  const NodeRecord& node = open_.back();
+  const NodeRecord& node = top();
   if (const FieldKind* field = node.kind ? node.kind->field(name) : nullptr) return field;
   if (node.ownFields)
     for (const FieldKind& field : *node.ownFields)
@@ -250,15 +258,15 @@ SceneChecker::Fields SceneChecker::fieldsOf(std::string_view prototype) const {
 }
 
 void SceneChecker::instanceOf(std::string_view prototype, Position where) {
-  open_.back().ownFields = fieldsOf(prototype);
-  if (!open_.back().ownFields)
+  top().ownFields = fieldsOf(prototype);
+  if (!top().ownFields)
     findings_.error(where, "proto-missing",
                     fmt::format("there is no prototype named {}", excerpt(prototype)),
                     "declare it before it is used; upper and lower case count");
 }
 
 void SceneChecker::ownField(FieldKind field) {
-  auto& fields = open_.back().ownFields;
+  auto& fields = top().ownFields;
   if (!fields) fields = std::make_shared<std::vector<FieldKind>>();
   fields->push_back(std::move(field));
 }
@@ -270,14 +278,14 @@ void SceneChecker::finish() {
 
 void SceneChecker::resolve(const Scope& scope) {
   for (const MissingUse& use : scope.missing) {
-    const auto later = scope.names.find(use.name);
-    if (later == scope.names.end())
+    const Definition* later = scope.names.find(use.name);
+    if (!later)
       findings_.error(use.where, "use-missing", fmt::format("there is no node named {}", excerpt(use.name)),
                       "DEF the node before it is used; upper and lower case count");
     else
       findings_.error(
           use.where, "use-forward",
-          fmt::format("{} is used before it is defined ({})", excerpt(use.name), place(later->second.where)),
+          fmt::format("{} is used before it is defined ({})", excerpt(use.name), place(later->where)),
           "define the node at its first use");
   }
   for (const Route& route : scope.routes) checkRoute(route, scope);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <deque>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "check/rules/field_facts.hpp"
+#include "check/rules/name_table.hpp"
 #include "check/rules/node_record.hpp"
 #include "check/validation.hpp"
 
@@ -40,8 +42,8 @@ class SceneChecker {
   void foreignName(std::string_view name);
 
   /// A part begins in which any node may stand: the value of a field that the document itself declares.
-  void beginAnything() { open_.emplace_back(); }
-  void endAnything() { open_.pop_back(); }
+  void beginAnything() { push(); }
+  void endAnything() { pop(); }
   /// A prototype's body has names of its own, and any node may be its first.
   void beginBody();
   void endBody();
@@ -56,7 +58,7 @@ class SceneChecker {
   /// The type of the node of a name defined so far; empty if there is none.
   std::string typeOf(std::string_view name) const;
   /// The kind of the node that is open, or null.
-  const NodeKind* current() const { return open_.back().kind; }
+  const NodeKind* current() const { return top().kind; }
   const FieldKind* currentField(std::string_view name) const;
   bool isPrototype(std::string_view name) const { return fieldsOf(name) != nullptr; }
   /// After the last node: what needs the whole scene.
@@ -66,13 +68,17 @@ class SceneChecker {
   using Fields = std::shared_ptr<std::vector<FieldKind>>;
 
   struct Scope {
-    std::map<std::string, Definition, std::less<>> names;
+    NameTable<Definition> names;
     std::map<std::string, Fields, std::less<>> prototypes;
     std::vector<MissingUse> missing;
     std::vector<Route> routes;  ///< whose nodes are not there yet
   };
 
-  void placeInParent(NodeRecord& node);
+  NodeRecord& push();
+  void pop() { --depth_; }
+  NodeRecord& top() { return open_[depth_ - 1]; }
+  const NodeRecord& top() const { return open_[depth_ - 1]; }
+  void placeInParent(NodeRecord& node, NodeRecord& parent);
   void needComponent(const NodeRecord& node);
   Fields fieldsOf(std::string_view prototype) const;
   void resolve(const Scope& scope);
@@ -80,10 +86,12 @@ class SceneChecker {
   const FieldKind* checkRouteEnd(const Route& route, bool isSource, const Scope& scope);
 
   FindingList& findings_;
-  std::filesystem::path folder_;
+  UrlRules urls_;
   int version_ = 40;
   std::map<std::string, int, std::less<>> components_;
-  std::vector<NodeRecord> open_;  ///< the first stands for the scene itself
+  /// The first stands for the scene itself. Those from depth_ on are closed and keep their memory for the next.
+  std::deque<NodeRecord> open_;
+  std::size_t depth_ = 0;
   std::vector<Scope> scopes_;
   std::set<std::string, std::less<>> types_;  ///< of named nodes
   Fields declared_;                           ///< of the prototype whose interface is read

@@ -192,7 +192,7 @@ void VrmlReader::skipBody() {
 void VrmlReader::readField(int depth) {
   if (readDeclaration()) return;
   const NodeKind* node = checker_.current();
-  if (node && node->isOpen() && startsInterface()) {
+  if (node && node->isOpen && startsInterface()) {
     const FieldKind field = readInterface();
     checker_.ownField(field);
     const bool hasValue = field.access == Access::InitializeOnly || field.access == Access::InputOutput;

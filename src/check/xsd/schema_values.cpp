@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "check/xsd/schema_values.hpp"
 
-#include <optional>
 #include <set>
-#include <vector>
 
 #include "check/xsd/xml_parser.hpp"
 
@@ -47,19 +45,15 @@ class Definitions {
   bool plain() const { return plain_; }
   const std::map<std::string, std::string>& elements() const { return elements_; }
 
-  std::shared_ptr<const Pattern> patternOf(const std::string& type) {
-    const auto found = simple_.find(type);
+  std::shared_ptr<const SchemaValues::Type> typeOf(const std::string& name) {
+    const auto found = simple_.find(name);
     if (found == simple_.end() || !found->second.isText || !found->second.collapsed ||
         found->second.pattern.empty())
       return nullptr;
-    const std::string& base = found->second.base;
-    if (!base.ends_with(":string") || ambiguous_.contains(type)) return nullptr;
-    auto& pattern = patterns_[found->second.pattern];
-    if (!pattern) {
-      std::optional<Pattern> compiled = Pattern::compiled(found->second.pattern);
-      pattern = compiled ? std::make_shared<const Pattern>(std::move(*compiled)) : nullptr;
-    }
-    return pattern;
+    if (!found->second.base.ends_with(":string") || ambiguous_.contains(name)) return nullptr;
+    auto& type = types_[found->second.pattern];
+    if (!type) type = std::make_shared<const SchemaValues::Type>(found->second.pattern);
+    return type;
   }
 
   /// Adds the attributes of a type and of what it extends; false if they are not certain.
@@ -72,7 +66,7 @@ class Definitions {
     for (const std::string& group : list.groups)
       if (!collect("group " + group, all, depth + 1)) return false;
     for (const AttributeUse& use : list.attributes)
-      if (const auto pattern = patternOf(use.type)) all[use.name] = pattern;
+      if (auto known = typeOf(use.type)) all.push_back({use.name, std::move(known)});
     return true;
   }
 
@@ -191,10 +185,15 @@ class Definitions {
   std::map<std::string, SimpleType> simple_;
   std::map<std::string, AttributeList> complex_;
   std::map<std::string, std::string> elements_;  ///< name to complex type; empty where there are several
-  std::map<std::string, std::shared_ptr<const Pattern>> patterns_;
+  std::map<std::string, std::shared_ptr<const SchemaValues::Type>> types_;  ///< by pattern
 };
 
 }  // namespace
+
+const Pattern* SchemaValues::Type::pattern() const {
+  if (!pattern_) pattern_ = Pattern::compiled(expression_);
+  return *pattern_ ? &**pattern_ : nullptr;
+}
 
 SchemaValues::SchemaValues(const fs::path& schema) {
   Definitions definitions(schema);

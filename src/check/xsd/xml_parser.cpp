@@ -88,12 +88,14 @@ class Validator {
     for (int i = 0; i < count; ++i) {
       const xmlChar** attribute = shortened_.data() + 5 * i;
       if (attribute[1]) return attributes;
-      const auto pattern = known->find(view(attribute[0]));
+      const std::string_view name = view(attribute[0]);
+      const auto found = std::find_if(known->begin(), known->end(),
+                                      [&](const auto& candidate) { return candidate.name == name; });
+      const Pattern* pattern = found == known->end() ? nullptr : found->type->pattern();
       const char* begin = reinterpret_cast<const char*>(attribute[3]);
-      if (pattern == known->end() ||
-          !pattern->second->accepts({begin, static_cast<std::size_t>(attribute[4] - attribute[3])}))
+      if (!pattern || !pattern->accepts({begin, static_cast<std::size_t>(attribute[4] - attribute[3])}))
         continue;
-      const std::string& text = pattern->second->shortest();
+      const std::string& text = pattern->shortest();
       attribute[3] = reinterpret_cast<const xmlChar*>(text.data());
       attribute[4] = attribute[3] + text.size();
     }
@@ -161,13 +163,7 @@ struct Pass {
 
   /// The next start tag has been parsed: the scanner, always ahead, knows where it stands.
   void takeTag() {
-    auto& tags = scanner.tags();
-    if (tags.empty()) {
-      tag = {parserPosition(), {}};
-      return;
-    }
-    tag = std::move(tags.front());
-    tags.pop_front();
+    if (!scanner.take(tag)) tag = {parserPosition(), {}};
   }
 
   Position attributePosition(std::string_view name) const {

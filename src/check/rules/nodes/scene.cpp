@@ -80,7 +80,7 @@ IntegerSequencer 1 30 children : X3DSequencerNode : MFInt32 keyValue, SFInt32 va
 IntegerTrigger 1 30 children : X3DChildNode : SFInt32 integerKey, SFBool set_boolean!>, SFInt32 triggerValue!<
 TimeTrigger 1 30 children : X3DChildNode : SFBool set_boolean!>, SFTime triggerTime!<
 Component Scripting
-Script 1 20 children : X3DUrlObject : SFBool directOutput!i, SFBool mustEvaluate!i
+Script 1 20 children : X3DScriptNode : SFBool directOutput!i, SFBool mustEvaluate!i
 Component Layering
 Layer 1 32 layers : X3DLayerNode :
 LayerSet 1 32 children : X3DNode : MFNode layers=X3DLayerNode, SFInt32 activeLayer, MFInt32 order

@@ -79,11 +79,11 @@ Component TextureProjector
 TextureProjector 2 40 children : X3DTextureProjectorNode : SFFloat fieldOfView, SFVec3f upVector
 TextureProjectorParallel 2 40 children : X3DTextureProjectorNode : SFVec4f fieldOfView
 Component Shaders
-ComposedShader 1 30 shaders : X3DProgrammableShaderObject : MFNode parts=ShaderPart, SFBool activate!>, SFBool isSelected!<, SFBool isValid!<, SFString language!i
+ComposedShader 1 30 shaders : X3DShaderNode X3DProgrammableShaderObject : MFNode parts=ShaderPart, SFBool activate!>, SFBool isSelected!<, SFBool isValid!<, SFString language!i
 FloatVertexAttribute 1 30 attrib : X3DVertexAttributeNode : SFInt32 numComponents!i, MFFloat value
 Matrix3VertexAttribute 1 30 attrib : X3DVertexAttributeNode : MFMatrix3f value
 Matrix4VertexAttribute 1 30 attrib : X3DVertexAttributeNode : MFMatrix4f value
-PackagedShader 1 30 shaders : X3DProgrammableShaderObject : SFBool activate!>, SFTime autoRefresh, SFTime autoRefreshTimeLimit, SFString description, SFBool isSelected!<, SFBool isValid!<, SFString language!i, SFBool load, MFString url
+PackagedShader 1 30 shaders : X3DShaderNode X3DProgrammableShaderObject : SFBool activate!>, SFTime autoRefresh, SFTime autoRefreshTimeLimit, SFString description, SFBool isSelected!<, SFBool isValid!<, SFString language!i, SFBool load, MFString url
 ProgramShader 1 30 shaders : X3DShaderNode : MFNode programs=ShaderProgram, SFBool activate!>, SFBool isSelected!<, SFBool isValid!<, SFString language!i
 ShaderPart 1 30 parts : X3DNodeMixedContent :
 ShaderProgram 1 30 programs : X3DNodeMixedContent X3DProgrammableShaderObject :

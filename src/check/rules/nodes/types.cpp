@@ -28,7 +28,8 @@ X3DLightNode : X3DChildNode : SFFloat ambientIntensity, SFColor color, SFBool gl
 X3DMaterialNode : X3DNode : SFColor emissiveColor, SFFloat transparency
 X3DMetadataObject : : SFNode metadata=X3DMetadataObject, SFString name, SFString reference
 X3DUrlObject : : SFNode metadata=X3DMetadataObject, SFTime autoRefresh, SFTime autoRefreshTimeLimit, SFString description, SFBool load, MFString url
-X3DNodeMixedContent : X3DUrlObject : SFString type!i
+X3DNodeMixedContent : X3DNode X3DUrlObject : SFString type!i
+X3DScriptNode : X3DChildNode X3DUrlObject :
 X3DNormalNode : X3DNode :
 X3DNurbsControlCurveNode : X3DNode : MFVec2d controlPoint
 X3DParametricGeometryNode : X3DGeometryNode :
