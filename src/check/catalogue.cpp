@@ -33,7 +33,8 @@ const FileKind* fileKind(const std::filesystem::path& file) {
 
 std::string knownEndings() {
   std::string known;
-  for (const FileKind& kind : fileKinds()) known += fmt::format("{}{}", known.empty() ? "" : ", ", kind.ending);
+  for (const FileKind& kind : fileKinds())
+    known += fmt::format("{}{}", known.empty() ? "" : ", ", kind.ending);
   return known;
 }
 

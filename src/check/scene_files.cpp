@@ -51,7 +51,8 @@ void collectMatches(const fs::path& folder, std::span<const std::string> names, 
                     int depth = 0);
 
 /// What a name of a pattern has led to.
-void follow(const fs::path& path, std::span<const std::string> rest, std::vector<fs::path>& found, int depth) {
+void follow(const fs::path& path, std::span<const std::string> rest, std::vector<fs::path>& found,
+            int depth) {
   std::error_code error;
   if (rest.empty() && fs::is_regular_file(path, error)) found.push_back(path);
   if (!rest.empty() && fs::is_directory(path, error)) collectMatches(path, rest, found, depth + 1);

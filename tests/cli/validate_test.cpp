@@ -89,14 +89,16 @@ void expectSarif(const json& log) {
   const json& run = log.at("runs")[0];
   const json& driver = run.at("tool").at("driver");
   EXPECT_TRUE(driver.at("name").is_string());
-  for (const json& invocation : run.at("invocations")) EXPECT_TRUE(invocation.at("executionSuccessful").is_boolean());
+  for (const json& invocation : run.at("invocations"))
+    EXPECT_TRUE(invocation.at("executionSuccessful").is_boolean());
   for (const json& result : run.at("results")) {
     const std::string level = result.at("level");
     EXPECT_TRUE(level == "error" || level == "warning");
     EXPECT_TRUE(result.at("message").at("text").is_string());
     EXPECT_EQ(driver.at("rules").at(result.at("ruleIndex").get<std::size_t>()).at("id"), result.at("ruleId"));
     const json& place = result.at("locations").at(0).at("physicalLocation");
-    const json& artifact = run.at("artifacts").at(place.at("artifactLocation").at("index").get<std::size_t>());
+    const json& artifact =
+        run.at("artifacts").at(place.at("artifactLocation").at("index").get<std::size_t>());
     EXPECT_EQ(artifact.at("location").at("uri"), place.at("artifactLocation").at("uri"));
     EXPECT_EQ(place.at("artifactLocation").at("uri").get<std::string>().find(' '), std::string::npos);
     if (!place.contains("region")) continue;
@@ -120,13 +122,44 @@ TEST_F(Validate, WritesReportsForServers) {
 }
 
 TEST_F(Validate, ReportsAreWellFormedWhateverTheSceneHolds) {
-  folder.write("odd.x3d", "<X3D profile=\"Full\" version=\"4.0\"><Scene><Group USE=\"\xc3\xa4&lt;&amp;'\"/></Scene></X3D>");
+  folder.write(
+      "odd.x3d",
+      "<X3D profile=\"Full\" version=\"4.0\"><Scene><Group USE=\"\xc3\xa4&lt;&amp;'\"/></Scene></X3D>");
   folder.write("bytes.wrl", "#VRML V2.0 utf8\nGr\xff\xfe\x01up { }\n");
-  const Ran ran = validate({at("odd.x3d"), at("bytes.wrl"), "--junit", at("junit.xml"), "--sarif", at("log.sarif"), "--json"});
+  const Ran ran = validate(
+      {at("odd.x3d"), at("bytes.wrl"), "--junit", at("junit.xml"), "--sarif", at("log.sarif"), "--json"});
   EXPECT_EQ(ran.exitCode, 4);
   expectFitsSchema(json::parse(ran.out), "validate.schema.json");
   expectSarif(json::parse(cloudgen::base::readFile(at("log.sarif"))));
   EXPECT_EQ(std::system(("xmllint --noout '" + at("junit.xml") + "' >/dev/null 2>&1").c_str()), 0);
+}
+
+TEST_F(Validate, RefusesWhatWouldEatTheMachine) {
+  const std::string head = "<X3D profile='Full' version='4.0'><Scene>";
+  std::string laughs = "<!DOCTYPE X3D [<!ENTITY a 'ha'>";
+  for (char c = 'b'; c < 'k'; ++c) {
+    laughs += std::string("<!ENTITY ") + c + " '";
+    for (int i = 0; i < 10; ++i) laughs += std::string("&") + static_cast<char>(c - 1) + ";";
+    laughs += "'>";
+  }
+  folder.write("laughs.x3d", laughs + "]>" + head + "<WorldInfo title='&j;'/></Scene></X3D>");
+  folder.write("outside.x3d", "<!DOCTYPE X3D [<!ENTITY a SYSTEM 'file:///etc/hostname'>]>" + head +
+                                  "<WorldInfo title='&a;'/></Scene></X3D>");
+  std::string points = head + "<Shape><IndexedFaceSet><Coordinate point='";
+  while (points.size() < (9u << 20)) points += "0.5 1 -2 ";
+  folder.write("gigabyte.x3d", points);
+  std::filesystem::resize_file(at("gigabyte.x3d"), std::uintmax_t{1} << 30);  // a hole: nothing is written
+  std::string deep = head;
+  for (int i = 0; i < 100000; ++i) deep += "<Group>";
+  folder.write("deep.x3d", deep);
+  for (const auto& [name, rule] : {std::pair<std::string, std::string>{"laughs.x3d", "xml-entity"},
+                                   {"outside.x3d", "xml-entity"},
+                                   {"gigabyte.x3d", "xml-limit"},
+                                   {"deep.x3d", "xml-limit"}}) {
+    const Ran ran = validate({at(name)});
+    EXPECT_EQ(ran.exitCode, 4) << name;
+    EXPECT_NE(ran.out.find("error[" + rule + "]"), std::string::npos) << name << ": " << ran.out;
+  }
 }
 
 }  // namespace

@@ -61,7 +61,8 @@ void checkSplats(const Json& primitive, const ColumnOf& columnOf, const std::str
     findings.error({}, "gltf-splats", where + ": " + std::move(message), std::move(hint));
   };
   if (integer(primitive, "mode").value_or(4) != 0) wrong("splats are not drawn as points", "set mode to 0");
-  if (primitive.contains("indices")) wrong("splats have indices", "leave them out: each splat stands for itself");
+  if (primitive.contains("indices"))
+    wrong("splats have indices", "leave them out: each splat stands for itself");
   if (!member(extension, "kernel").is_string()) wrong("the splats have no kernel", "write \"ellipse\"");
   const Json& space = member(extension, "colorSpace");
   if (space != "srgb_rec709_display" && space != "lin_rec709_display")
@@ -70,7 +71,9 @@ void checkSplats(const Json& primitive, const ColumnOf& columnOf, const std::str
   const bool isPacked = member(extension, "extensions").contains(kPacked);
   std::vector<SplatColumn> columns{
       {"ROTATION", 4, true}, {"SCALE", 3, false}, {"OPACITY", 1, true}, {"SH_DEGREE_0_COEF_0", 3, false}};
-  const auto columnAt = [&](const std::string& name) { return columnOf(fmt::format("{}:{}", kSplats, name)); };
+  const auto columnAt = [&](const std::string& name) {
+    return columnOf(fmt::format("{}:{}", kSplats, name));
+  };
   for (int degree = 1; degree <= 3; ++degree) {
     int there = 0;
     for (int k = 0; k < coefficients(degree); ++k) {
@@ -94,9 +97,8 @@ void checkSplats(const Json& primitive, const ColumnOf& columnOf, const std::str
   }
   const Elements *opacity = columnAt("OPACITY"), *scale = columnAt("SCALE"), *rotation = columnAt("ROTATION");
   if (opacity && opacity->known && opacity->components == 1)
-    if (const auto i = firstFailing(*opacity, [&](Count at) {
-          return opacity->number(at, 0) >= 0 && opacity->number(at, 0) <= 1;
-        }))
+    if (const auto i = firstFailing(
+            *opacity, [&](Count at) { return opacity->number(at, 0) >= 0 && opacity->number(at, 0) <= 1; }))
       wrong(fmt::format("the opacity of splat {} is {}", *i, opacity->number(*i, 0)), "opacities are 0 to 1");
   if (scale && scale->known && scale->components == 3)
     if (const auto i = firstFailing(*scale, [&](Count at) {
@@ -146,12 +148,17 @@ void checkImage(const Json& image, std::string_view bytes, FindingList& findings
   if (isInFile == member(image, "uri").is_string())
     return wrong("an image has a bufferView and a uri, or neither", "keep one of both");
   if (!isInFile) return;
-  if (!type.is_string()) return wrong("an image in the file has no mimeType", "write image/png or image/jpeg");
+  if (!type.is_string())
+    return wrong("an image in the file has no mimeType", "write image/png or image/jpeg");
   if (bytes.empty()) return;
   const bool isPng = bytes.starts_with("\x89PNG\r\n\x1a\n"), isJpeg = bytes.starts_with("\xff\xd8\xff"),
              isWebp = bytes.starts_with("RIFF") && bytes.substr(0, 12).ends_with("WEBP");
-  const bool fits = type == "image/png" ? isPng : type == "image/jpeg" ? isJpeg : type == "image/webp" ? isWebp : true;
-  if (!fits) wrong("the bytes of an image are not " + type.get<std::string>(), "correct the mimeType or the image");
+  const bool fits = type == "image/png"    ? isPng
+                    : type == "image/jpeg" ? isJpeg
+                    : type == "image/webp" ? isWebp
+                                           : true;
+  if (!fits)
+    wrong("the bytes of an image are not " + type.get<std::string>(), "correct the mimeType or the image");
 }
 
 }  // namespace cloudgen::check

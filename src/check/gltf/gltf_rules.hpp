@@ -16,8 +16,9 @@ using ColumnOf = std::function<const Elements*(const std::string& attribute)>;
 void checkFinite(const Json& attributes, const ColumnOf& columnOf, const std::string& where,
                  FindingList& findings);
 
-/// gltf-splats: a primitive with KHR_gaussian_splatting has what the extension demands: points, kernel and colour
-/// space, complete attributes of the right types, opacities from 0 to 1, positive scales, unit rotations.
+/// gltf-splats: a primitive with KHR_gaussian_splatting has what the extension demands: points, kernel and
+/// colour space, complete attributes of the right types, opacities from 0 to 1, positive scales, unit
+/// rotations.
 void checkSplats(const Json& primitive, const ColumnOf& columnOf, const std::string& where,
                  FindingList& findings);
 

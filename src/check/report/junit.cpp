@@ -55,7 +55,8 @@ std::string listed(const CheckedFile& file, Severity severity, const Finding*& f
 
 std::string testCase(const CheckedFile& file) {
   const std::string name = escaped(file.file);
-  std::string out = fmt::format("    <testcase classname=\"cloudgen.validate\" name=\"{0}\" file=\"{0}\">\n", name);
+  std::string out =
+      fmt::format("    <testcase classname=\"cloudgen.validate\" name=\"{0}\" file=\"{0}\">\n", name);
   const Finding* error = nullptr;
   const Finding* warning = nullptr;
   const std::string errors = listed(file, Severity::Error, error),
@@ -73,9 +74,8 @@ std::string testCase(const CheckedFile& file) {
 std::string junitReport(std::span<const CheckedFile> files) {
   std::size_t unreadable = 0;
   for (const CheckedFile& file : files) unreadable += file.unreadable ? 1 : 0;
-  const std::string counts =
-      fmt::format("tests=\"{}\" failures=\"{}\" errors=\"{}\"", files.size(),
-                  totalsOf(files).invalid - unreadable, unreadable);
+  const std::string counts = fmt::format("tests=\"{}\" failures=\"{}\" errors=\"{}\"", files.size(),
+                                         totalsOf(files).invalid - unreadable, unreadable);
   std::string out = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites {0}>\n  <testsuite name=\"cloudgen validate\" "
       "{0}>\n",

@@ -9,8 +9,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json jsonOf(const Finding& finding) {
-  return {{"severity", name(finding.severity)}, {"line", finding.line},       {"column", finding.column},
-          {"rule", finding.rule},               {"message", finding.message}, {"hint", finding.hint}};
+  return {{"severity", name(finding.severity)}, {"line", finding.line},
+          {"column", finding.column},           {"rule", finding.rule},
+          {"message", finding.message},         {"hint", finding.hint}};
 }
 
 }  // namespace
@@ -30,12 +31,9 @@ std::string jsonReport(std::span<const CheckedFile> files) {
   const Totals totals = totalsOf(files);
   Json report{{"files", Json::array()}};
   for (const CheckedFile& file : files) {
-    Json entry{{"file", file.file},
-               {"valid", file.result.valid()},
-               {"elements", file.result.elements},
-               {"nodes", file.result.nodes},
-               {"bytes", file.result.bytes},
-               {"findings", Json::array()}};
+    Json entry{
+        {"file", file.file},          {"valid", file.result.valid()}, {"elements", file.result.elements},
+        {"nodes", file.result.nodes}, {"bytes", file.result.bytes},   {"findings", Json::array()}};
     for (const Finding& finding : file.result.findings) entry["findings"].push_back(jsonOf(finding));
     report["files"].push_back(std::move(entry));
   }

@@ -67,9 +67,9 @@ void readNumbers(FieldFacts& facts, std::string_view value, FindingList& finding
   const FieldKind& field = *facts.field;
   const bool whole = field.type.ends_with("Int32");
   if (isOnlyCounted(field.type)) facts.numbers = countPlainNumbers(value).value_or(0);
-  const ListResult list =
-      facts.numbers > 0 ? ListResult{}
-      : whole ? readIntegers(facts, value) : readFloats(facts, value, field.type.ends_with("Rotation"));
+  const ListResult list = facts.numbers > 0 ? ListResult{}
+                          : whole           ? readIntegers(facts, value)
+                                            : readFloats(facts, value, field.type.ends_with("Rotation"));
   const auto size = static_cast<std::uint64_t>(tupleSize(field.type));
   facts.tuples = facts.numbers / size;
   facts.readable = false;

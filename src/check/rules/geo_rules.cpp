@@ -20,8 +20,8 @@ bool isEllipsoid(std::string_view text) {
 /// "Z1" to "Z60".
 bool isZone(std::string_view text) {
   int zone = 0;
-  const auto [end, error] = std::from_chars(text.data() + std::min<std::size_t>(1, text.size()),
-                                            text.data() + text.size(), zone);
+  const auto [end, error] =
+      std::from_chars(text.data() + std::min<std::size_t>(1, text.size()), text.data() + text.size(), zone);
   return text.starts_with("Z") && error == std::errc() && end == text.data() + text.size() && zone >= 1 &&
          zone <= 60;
 }

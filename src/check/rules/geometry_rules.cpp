@@ -175,10 +175,10 @@ void checkGrid(const NodeRecord& node, FindingList& findings) {
                    fmt::format("{} heights for {:.0f} points", heights, points),
                    "there are xDimension times zDimension heights, row by row");
   else if (columns && rows)
-    checkPerPart(node, height ? height->where : node.where, heights,
-                 static_cast<std::uint64_t>(std::max(columns->first[0] - 1, 0.0) *
-                                            std::max(rows->first[0] - 1, 0.0)),
-                 findings);
+    checkPerPart(
+        node, height ? height->where : node.where, heights,
+        static_cast<std::uint64_t>(std::max(columns->first[0] - 1, 0.0) * std::max(rows->first[0] - 1, 0.0)),
+        findings);
 }
 
 }  // namespace

@@ -58,7 +58,8 @@ class NameTable {
   }
 
   void grow() {
-    const std::vector<Slot> old = std::exchange(slots_, std::vector<Slot>(slots_.empty() ? 64 : 2 * slots_.size()));
+    const std::vector<Slot> old =
+        std::exchange(slots_, std::vector<Slot>(slots_.empty() ? 64 : 2 * slots_.size()));
     const std::size_t mask = slots_.size() - 1;
     for (const Slot& slot : old) {
       if (slot.entry == 0) continue;
@@ -68,8 +69,8 @@ class NameTable {
     }
   }
 
-  std::vector<Slot> slots_;   ///< a power of two of them
-  std::vector<char> text_;    ///< all names, one behind the other
+  std::vector<Slot> slots_;  ///< a power of two of them
+  std::vector<char> text_;   ///< all names, one behind the other
   std::vector<std::size_t> ends_;
   std::deque<Value> values_;
 };

@@ -24,9 +24,9 @@ struct FieldKind {
 struct NodeKind {
   std::string name;
   std::string component;
-  int level = 1;          ///< of the component
-  int version = 33;       ///< first X3D version that has it, times ten; 20 is VRML97
-  std::string container;  ///< the field it goes to when none is named
+  int level = 1;                   ///< of the component
+  int version = 33;                ///< first X3D version that has it, times ten; 20 is VRML97
+  std::string container;           ///< the field it goes to when none is named
   std::vector<std::string> types;  ///< itself and the abstract types that it derives from
   std::vector<FieldKind> fields;
   std::string tuplesField;  ///< of coordinates, normals and colours: the field that others index

@@ -55,8 +55,8 @@ std::size_t readNumber(std::string_view text, Number& value) {
 
 }  // namespace detail
 
-/// How many numbers stand in a list that is written plainly: decimals between blanks and commas, with an exponent of
-/// one digit if any. Nothing where it is not, or where it is empty: forEachNumber tells.
+/// How many numbers stand in a list that is written plainly: decimals between blanks and commas, with an
+/// exponent of one digit if any. Nothing where it is not, or where it is empty: forEachNumber tells.
 inline std::optional<std::uint64_t> countPlainNumbers(std::string_view list) {
   const auto isDigit = [](char c) { return static_cast<unsigned char>(c - '0') < 10; };
   std::uint64_t count = 0;

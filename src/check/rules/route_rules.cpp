@@ -17,8 +17,8 @@ const FieldKind* routedField(const std::vector<FieldKind>& fields, std::string_v
   if (const FieldKind* exact = fieldIn(fields, name)) return exact;
   constexpr std::string_view kSet = "set_", kChanged = "_changed";
   if (isSource ? !name.ends_with(kChanged) : !name.starts_with(kSet)) return nullptr;
-  const FieldKind* plain = fieldIn(
-      fields, isSource ? name.substr(0, name.size() - kChanged.size()) : name.substr(kSet.size()));
+  const FieldKind* plain =
+      fieldIn(fields, isSource ? name.substr(0, name.size() - kChanged.size()) : name.substr(kSet.size()));
   return plain && plain->access == Access::InputOutput ? plain : nullptr;
 }
 

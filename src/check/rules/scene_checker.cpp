@@ -127,12 +127,10 @@ void SceneChecker::define(std::string_view def, Position where) {
   else if (!node.type.empty())
     definition.type = &*types_.insert(node.type).first;
   definition.kind = node.kind, definition.where = node.where, definition.ownFields = node.ownFields;
-  const auto [found, isNew] =
-      names.add(node.def, definition);
+  const auto [found, isNew] = names.add(node.def, definition);
   node.definition = found;
   if (isNew) return;
-  const std::string message =
-      fmt::format("the name {} is taken since {}", excerpt(def), place(found->where));
+  const std::string message = fmt::format("the name {} is taken since {}", excerpt(def), place(found->where));
   if (version_ == kVrml97) {
     findings_.warning(where, "def-duplicate", message,
                       "later USEs mean this node; give it a name of its own");
@@ -156,10 +154,10 @@ void SceneChecker::use(std::string_view name, Position where) {
     findings_.error(where, "use-cycle", fmt::format("{} contains itself", excerpt(name)),
                     "a node cannot be used within itself");
   } else if (found->type && *found->type != node.type) {
-    findings_.error(where, "use-type",
-                    fmt::format("{} is a {} ({}), not a {}", excerpt(name), *found->type,
-                                place(found->where), node.type),
-                    "USE the name of a node of the same type");
+    findings_.error(
+        where, "use-type",
+        fmt::format("{} is a {} ({}), not a {}", excerpt(name), *found->type, place(found->where), node.type),
+        "USE the name of a node of the same type");
   }
 }
 
@@ -260,8 +258,7 @@ SceneChecker::Fields SceneChecker::fieldsOf(std::string_view prototype) const {
 void SceneChecker::instanceOf(std::string_view prototype, Position where) {
   top().ownFields = fieldsOf(prototype);
   if (!top().ownFields)
-    findings_.error(where, "proto-missing",
-                    fmt::format("there is no prototype named {}", excerpt(prototype)),
+    findings_.error(where, "proto-missing", fmt::format("there is no prototype named {}", excerpt(prototype)),
                     "declare it before it is used; upper and lower case count");
 }
 

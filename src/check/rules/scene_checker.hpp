@@ -89,7 +89,8 @@ class SceneChecker {
   UrlRules urls_;
   int version_ = 40;
   std::map<std::string, int, std::less<>> components_;
-  /// The first stands for the scene itself. Those from depth_ on are closed and keep their memory for the next.
+  /// The first stands for the scene itself. Those from depth_ on are closed and keep their memory for the
+  /// next.
   std::deque<NodeRecord> open_;
   std::size_t depth_ = 0;
   std::vector<Scope> scopes_;

@@ -11,9 +11,9 @@
 
 namespace cloudgen::check {
 
-/// Validates ClassicVRML (.x3dv) or VRML97 (.wrl), told by the header line, in one pass of constant memory: form,
-/// nodes, fields, values, prototypes, and the same rules as for X3D. The schema is not used. Throws InputError if
-/// the file cannot be read, InterruptedError on cancel.
+/// Validates ClassicVRML (.x3dv) or VRML97 (.wrl), told by the header line, in one pass of constant memory:
+/// form, nodes, fields, values, prototypes, and the same rules as for X3D. The schema is not used. Throws
+/// InputError if the file cannot be read, InterruptedError on cancel.
 ValidationResult validateVrml(const std::filesystem::path& file, const ChosenSchema& schema,
                               const base::Progress& progress);
 

@@ -8,14 +8,15 @@ namespace cloudgen::check {
 namespace {
 
 /// The words of an interface, of VRML97 and of X3D.
-constexpr std::array<std::pair<std::string_view, Access>, 8> kAccess{{{"eventIn", Access::InputOnly},
-                                                                      {"eventOut", Access::OutputOnly},
-                                                                      {"field", Access::InitializeOnly},
-                                                                      {"exposedField", Access::InputOutput},
-                                                                      {"inputOnly", Access::InputOnly},
-                                                                      {"outputOnly", Access::OutputOnly},
-                                                                      {"initializeOnly", Access::InitializeOnly},
-                                                                      {"inputOutput", Access::InputOutput}}};
+constexpr std::array<std::pair<std::string_view, Access>, 8> kAccess{
+    {{"eventIn", Access::InputOnly},
+     {"eventOut", Access::OutputOnly},
+     {"field", Access::InitializeOnly},
+     {"exposedField", Access::InputOutput},
+     {"inputOnly", Access::InputOnly},
+     {"outputOnly", Access::OutputOnly},
+     {"initializeOnly", Access::InitializeOnly},
+     {"inputOutput", Access::InputOutput}}};
 
 const Access* accessOf(std::string_view word) {
   for (const auto& [name, access] : kAccess)
@@ -41,7 +42,8 @@ FieldKind VrmlReader::readInterface() {
                         "field, eventIn, eventOut and exposedField do"};
   const Token type = expect(TokenKind::Word, "a field type");
   if (!isFieldType(type.text))
-    throw VrmlFormError{type.where, "vrml-syntax", excerpt(type.text) + " is no field type", "SFFloat is one"};
+    throw VrmlFormError{type.where, "vrml-syntax", excerpt(type.text) + " is no field type",
+                        "SFFloat is one"};
   return {expect(TokenKind::Word, "a name").text, type.text, *access, {}};
 }
 

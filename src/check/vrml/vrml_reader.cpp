@@ -118,7 +118,8 @@ void VrmlReader::readRoute() {
               target = expect(TokenKind::Word, "node.field");
   const auto dot = from.text.find('.'), targetDot = target.text.find('.');
   if (to.text != "TO" || dot == from.text.npos || targetDot == target.text.npos)
-    throw VrmlFormError{start.where, "vrml-syntax", "this is no ROUTE", "write ROUTE node.field TO node.field"};
+    throw VrmlFormError{start.where, "vrml-syntax", "this is no ROUTE",
+                        "write ROUTE node.field TO node.field"};
   ++findings_.result().elements;
   checker_.route({from.text.substr(0, dot), from.text.substr(dot + 1), target.text.substr(0, targetDot),
                   target.text.substr(targetDot + 1), start.where});
@@ -185,7 +186,8 @@ void VrmlReader::skipBody() {
     if (token.kind == TokenKind::Open) ++open;
     if (token.kind == TokenKind::Close) --open;
     if (token.kind == TokenKind::End || tokens_.tooLong())
-      throw VrmlFormError{token.where, "vrml-syntax", "the file ends where } should stand", "count the braces"};
+      throw VrmlFormError{token.where, "vrml-syntax", "the file ends where } should stand",
+                          "count the braces"};
   }
 }
 
@@ -205,7 +207,8 @@ void VrmlReader::readField(int depth) {
   const FieldKind* field =
       checker_.currentField(version_ == kVrml97 ? nameInX3d(type, token.text) : std::string_view(token.text));
   if (!field)
-    throw VrmlFormError{token.where, "vrml-field", fmt::format("{} has no field {}", type, excerpt(token.text)),
+    throw VrmlFormError{token.where, "vrml-field",
+                        fmt::format("{} has no field {}", type, excerpt(token.text)),
                         "see the fields of the node in the specification"};
   readFieldValue(*field, token.where, depth);
 }
@@ -254,7 +257,8 @@ std::string VrmlReader::readValue(const FieldKind& field) {
   while (tokens_.peek().kind == kind && !tokens_.tooLong()) {
     tokens_.takeInto(value);
     if (value.size() > kValueBytes)
-      throw VrmlFormError{start, "vrml-limit", fmt::format("the value of {} is over {} bytes", field.name, kValueBytes),
+      throw VrmlFormError{start, "vrml-limit",
+                          fmt::format("the value of {} is over {} bytes", field.name, kValueBytes),
                           "split the geometry: viewers choke on such values too"};
   }
   expect(TokenKind::CloseList, fmt::format("{} or ]", what));

@@ -16,7 +16,11 @@ class VrmlReader {
  public:
   VrmlReader(ByteSource& source, FindingList& findings, const std::filesystem::path& folder,
              const base::Progress& progress)
-      : source_(source), tokens_(source), findings_(findings), checker_(findings, folder), progress_(progress) {}
+      : source_(source),
+        tokens_(source),
+        findings_(findings),
+        checker_(findings, folder),
+        progress_(progress) {}
 
   void read();
 

@@ -308,7 +308,8 @@ class PatternCompiler {
         next = number == 1 || state.blank ? static_cast<std::uint32_t>(number)
                                           : stateOf({state.parts, true}, text + ' ');
       else
-        next = stateOf({after(state.blank ? after(state.parts, ' ') : state.parts, byte), false}, text + byte);
+        next =
+            stateOf({after(state.blank ? after(state.parts, ' ') : state.parts, byte), false}, text + byte);
       pattern_.next_[number * pattern_.classes_ + kind] = next;
     }
   }

@@ -15,8 +15,8 @@ namespace cloudgen::check {
 /// look-up a byte.
 class Pattern {
  public:
-  /// Nothing if the expression uses what is not known here (categories, blocks, subtraction, characters beyond
-  /// ASCII), or is too large.
+  /// Nothing if the expression uses what is not known here (categories, blocks, subtraction, characters
+  /// beyond ASCII), or is too large.
   static std::optional<Pattern> compiled(std::string_view expression);
 
   /// True if the value, collapsed, is accepted for certain. Of a value that is not pure ASCII nothing is

@@ -59,7 +59,8 @@ class Definitions {
   /// Adds the attributes of a type and of what it extends; false if they are not certain.
   bool collect(const std::string& type, SchemaValues::Attributes& all, int depth = 0) {
     const auto found = complex_.find(type);
-    if (found == complex_.end() || !found->second.plain || ambiguous_.contains(type) || depth > kDerivationLimit)
+    if (found == complex_.end() || !found->second.plain || ambiguous_.contains(type) ||
+        depth > kDerivationLimit)
       return false;
     const AttributeList& list = found->second;
     if (!list.base.empty() && !collect(list.base, all, depth + 1)) return false;
@@ -98,7 +99,8 @@ class Definitions {
     if (name == "annotation") ++silent_;
     if (silent_ > 0) return;
     const bool isKey = name == "key" || name == "keyref" || name == "unique";  // these compare values
-    if (isKey || name == "import" || name == "redefine" || !value(attributes, "targetNamespace").empty()) plain_ = false;
+    if (isKey || name == "import" || name == "redefine" || !value(attributes, "targetNamespace").empty())
+      plain_ = false;
     if (name == "simpleType") return startType(value(attributes, "name"), simpleNames_, simple_);
     if (name == "complexType") return startComplexType(value(attributes, "name"));
     if (name == "attributeGroup" && !value(attributes, "name").empty())
@@ -123,7 +125,8 @@ class Definitions {
 
   void startComplexType(std::string name) {
     startType(std::move(name), complexNames_, complex_);
-    if (!elementNames_.empty() && complexNames_.size() == 1) setElement(elementNames_.back(), complexNames_.back());
+    if (!elementNames_.empty() && complexNames_.size() == 1)
+      setElement(elementNames_.back(), complexNames_.back());
   }
 
   void startFacet(std::string_view name, std::span<const XmlAttribute> attributes) {
@@ -200,7 +203,8 @@ SchemaValues::SchemaValues(const fs::path& schema) {
   if (!definitions.plain()) return;
   for (const auto& [element, type] : definitions.elements()) {
     Attributes attributes;
-    if (!type.empty() && definitions.collect(type, attributes)) elements_.emplace(element, std::move(attributes));
+    if (!type.empty() && definitions.collect(type, attributes))
+      elements_.emplace(element, std::move(attributes));
   }
 }
 

@@ -14,9 +14,9 @@
 
 namespace cloudgen::check {
 
-/// For each element of a schema, the attributes whose type is text under one pattern: lists of numbers, in X3D.
-/// libxml2 tries such a pattern with a stack of choices; here it is an automaton. A value that it accepts can be
-/// shown to libxml2 as any other text that the pattern accepts: the verdict is the same.
+/// For each element of a schema, the attributes whose type is text under one pattern: lists of numbers, in
+/// X3D. libxml2 tries such a pattern with a stack of choices; here it is an automaton. A value that it
+/// accepts can be shown to libxml2 as any other text that the pattern accepts: the verdict is the same.
 class SchemaValues {
  public:
   /// A pattern that is compiled when it is first asked for; of one type, shared by its attributes.
@@ -37,8 +37,8 @@ class SchemaValues {
   using Attributes = std::vector<Attribute>;
 
   SchemaValues() = default;
-  /// Reads what a schema and its includes say. Empty where that is not plain enough to be sure of: parts of the
-  /// schema that are imported or redefined, keys, elements of one name and two types, types derived by
+  /// Reads what a schema and its includes say. Empty where that is not plain enough to be sure of: parts of
+  /// the schema that are imported or redefined, keys, elements of one name and two types, types derived by
   /// restriction.
   explicit SchemaValues(const std::filesystem::path& schema);
 

@@ -15,9 +15,9 @@ namespace {
 
 /// Elements that are no nodes.
 constexpr std::array<std::string_view, 17> kStatements{
-    "X3D",          "head",         "component",          "unit",           "meta",      "Scene",
-    "ROUTE",        "IMPORT",       "EXPORT",             "ProtoDeclare",   "ProtoBody", "field",
-    "fieldValue",   "IS",           "connect",            "ProtoInterface", "ExternProtoDeclare"};
+    "X3D",     "head",           "component",         "unit",      "meta",  "Scene",      "ROUTE",
+    "IMPORT",  "EXPORT",         "ProtoDeclare",      "ProtoBody", "field", "fieldValue", "IS",
+    "connect", "ProtoInterface", "ExternProtoDeclare"};
 
 bool isStatement(std::string_view name) {
   return std::find(kStatements.begin(), kStatements.end(), name) != kStatements.end();
@@ -90,8 +90,10 @@ class X3dReader {
   /// A field that the document gives to a prototype, or to a script or shader.
   void startField(Kind parent, Attributes attributes) {
     if (parent != Kind::Interface && parent != Kind::Node) return;
-    FieldKind field{std::string(value(attributes, "name")), std::string(value(attributes, "type")),
-                    accessFromText(value(attributes, "accessType")), {}};
+    FieldKind field{std::string(value(attributes, "name")),
+                    std::string(value(attributes, "type")),
+                    accessFromText(value(attributes, "accessType")),
+                    {}};
     if (parent == Kind::Node)
       checker_.ownField(std::move(field));
     else

@@ -47,7 +47,8 @@ class XmlScanner {
   /// Nothing, or why the document is refused; after that no more chunks may be given.
   std::optional<Refusal> scan(std::string_view chunk);
 
-  /// The first start tag that is complete and not yet taken; false if there is none. What `tag` held is used again.
+  /// The first start tag that is complete and not yet taken; false if there is none. What `tag` held is used
+  /// again.
   bool take(TagPosition& tag);
 
  private:

@@ -114,7 +114,8 @@ struct Splats {
 
 TEST(Glb, SplatsAreChecked) {
   EXPECT_EQ(texts(validateGlbBytes(Splats().bytes(), "scene.glb")), "");
-  const std::string primitive = "/meshes/0/primitives/0", extension = primitive + "/extensions/KHR_gaussian_splatting";
+  const std::string primitive = "/meshes/0/primitives/0",
+                    extension = primitive + "/extensions/KHR_gaussian_splatting";
   const std::vector<std::pair<std::string, Json>> edits{
       {primitive + "/mode", 4},
       {extension + "/kernel", 7},
@@ -133,7 +134,11 @@ TEST(Glb, SplatsAreChecked) {
   Splats bare;
   bare.document["meshes"][0]["primitives"][0]["attributes"].erase("KHR_gaussian_splatting:SCALE");
   expectRule(bare.bytes(), "gltf-splats");
-  for (const auto& [column, value] : {std::pair{&Splats::opacities, 1.5f}, {&Splats::opacities, -0.1f}, {&Splats::scales, 0.0f}, {&Splats::scales, -4.0f}, {&Splats::rotations, 0.5f}}) {
+  for (const auto& [column, value] : {std::pair{&Splats::opacities, 1.5f},
+                                      {&Splats::opacities, -0.1f},
+                                      {&Splats::scales, 0.0f},
+                                      {&Splats::scales, -4.0f},
+                                      {&Splats::rotations, 0.5f}}) {
     Splats splats;
     (splats.*column)[1] = value;
     expectRule(splats.bytes(), "gltf-splats");
@@ -151,8 +156,10 @@ TEST(Glb, PlacementsInstancesAndImagesAreChecked) {
       {"/images", Json::array({Json::object()}), "gltf-image"},
       {"/images", Json::array({Json{{"bufferView", 0}}}), "gltf-image"},
       {"/images", Json::array({Json{{"bufferView", 0}, {"mimeType", "image/png"}}}), "gltf-image"},
-      {"/nodes/0/extensions", Json::parse(R"({"EXT_mesh_gpu_instancing":{"attributes":{"TRANSLATION":0}}})"), "gltf-instancing"},
-      {"/nodes/1/extensions", Json::parse(R"({"EXT_mesh_gpu_instancing":{"attributes":{"TRANSLATION":9}}})"), "gltf-reference"},
+      {"/nodes/0/extensions", Json::parse(R"({"EXT_mesh_gpu_instancing":{"attributes":{"TRANSLATION":0}}})"),
+       "gltf-instancing"},
+      {"/nodes/1/extensions", Json::parse(R"({"EXT_mesh_gpu_instancing":{"attributes":{"TRANSLATION":9}}})"),
+       "gltf-reference"},
   };
   for (const auto& [pointer, value, rule] : edits) {
     Triangle triangle;

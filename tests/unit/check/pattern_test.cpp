@@ -35,7 +35,8 @@ std::vector<Expression> expressions() {
           {"numbers", "\\s*((" + kNumber + ")\\s*,?\\s*)*"},
           {"our integers", R"(([+\-]?(0|[1-9][0-9]*)((, ?| )[+\-]?(0|[1-9][0-9]*))*)?)"},
           {"truths", R"(\s*((true|false)\s*,?\s*)*)"},
-          {"image", R"(\s*([+]?(0|[1-9][0-9]*)\s+){2}[+]?[0-4](\s+(0x[0-9a-fA-F]{1,4}|[+]?(0|[1-9][0-9]*)))*\s*)"},
+          {"image",
+           R"(\s*([+]?(0|[1-9][0-9]*)\s+){2}[+]?[0-4](\s+(0x[0-9a-fA-F]{1,4}|[+]?(0|[1-9][0-9]*)))*\s*)"},
           {"counts", "a{2}b{1,3}c{0,2}(dd){0,}"},
           {"nested", "((a|b)*c?)+"},
           {"not", "[^ab]+"},
@@ -45,12 +46,14 @@ std::vector<Expression> expressions() {
 /// Values near what the patterns accept, and libxml2's own verdict on each.
 TEST(Pattern, AgreesWithLibxml2) {
   std::mt19937 random(1);
-  const std::vector<std::string> pieces{"0",  "1.5", "-", "+", ".",    "e",     "E5", "12", " ", "  ", ",",   ", ",
-                                        "\n", "\t",  "a", "b", "true", "false", "c",  "dd", "x", "3",  "0xf", "-1 2", "1 1 3", "aabb", "aab"};
+  const std::vector<std::string> pieces{"0",  "1.5", "-",  "+",  ".",   "e",    "E5",    "12",   " ",
+                                        "  ", ",",   ", ", "\n", "\t",  "a",    "b",     "true", "false",
+                                        "c",  "dd",  "x",  "3",  "0xf", "-1 2", "1 1 3", "aabb", "aab"};
   for (const Expression& expression : expressions()) {
     const auto pattern = Pattern::compiled(expression.pattern);
     ASSERT_TRUE(pattern) << expression.what;
-    const xmlRegexpPtr theirs = xmlRegexpCompile(reinterpret_cast<const xmlChar*>(expression.pattern.c_str()));
+    const xmlRegexpPtr theirs =
+        xmlRegexpCompile(reinterpret_cast<const xmlChar*>(expression.pattern.c_str()));
     ASSERT_NE(theirs, nullptr);
     int accepted = 0;
     for (int i = 0; i < 4000; ++i) {
@@ -76,8 +79,8 @@ TEST(Pattern, IsCertainOfAsciiOnly) {
 }
 
 TEST(Pattern, RefusesWhatItDoesNotKnow) {
-  for (const char* expression : {"\\p{L}+", "[a-z-[aeiou]]", "\\i\\c*", "(a", "a)", "a{3,2}", "a{2000}", "[]", "*",
-                                 "\xc3\xa4", "\\", "[a", "a{"})
+  for (const char* expression : {"\\p{L}+", "[a-z-[aeiou]]", "\\i\\c*", "(a", "a)", "a{3,2}", "a{2000}", "[]",
+                                 "*", "\xc3\xa4", "\\", "[a", "a{"})
     EXPECT_FALSE(Pattern::compiled(expression)) << expression;
   EXPECT_FALSE(Pattern::compiled("(((((a{999}){999}){999}){999}){999})"));
   EXPECT_FALSE(Pattern::compiled(std::string(100000, '(')));

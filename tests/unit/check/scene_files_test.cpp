@@ -16,9 +16,9 @@ TEST(SceneFiles, NamesFitPatterns) {
   };
   for (const Case& c : {Case{"*.x3d", "a.x3d", true}, Case{"*.x3d", "a.x3dv", false}, Case{"*", "", true},
                         Case{"a*b*c", "axxbyyc", true}, Case{"a*b*c", "axxbyy", false}, Case{"?", "", false},
-                        Case{"t[0-9]?", "t5x", true}, Case{"t[!0-9]", "t5", false}, Case{"t[!0-9]", "tx", true},
-                        Case{"[", "[", true}, Case{"a[b", "a[b", true}, Case{"[]]", "]", true},
-                        Case{"****a", "bbba", true}, Case{"", "a", false}})
+                        Case{"t[0-9]?", "t5x", true}, Case{"t[!0-9]", "t5", false},
+                        Case{"t[!0-9]", "tx", true}, Case{"[", "[", true}, Case{"a[b", "a[b", true},
+                        Case{"[]]", "]", true}, Case{"****a", "bbba", true}, Case{"", "a", false}})
     EXPECT_EQ(matchesName(c.pattern, c.name), c.fits) << c.pattern << " " << c.name;
   EXPECT_FALSE(matchesName("*a*a*a*a*a*a*a*a*b", std::string(5000, 'a')));
 }
@@ -27,12 +27,14 @@ TEST(SceneFiles, FoldersAndPatternsFindEachFileOnce) {
   const cloudgen::test::Scratch folder;
   fs::create_directories(folder.path() / "a/b");
   fs::create_directory_symlink(folder.path(), folder.path() / "a/loop");
-  for (const char* name : {"one.x3d", "two.WRL", "a/three.glb", "a/b/four.x3dv", "a/b/five.txt", ".six.x3d", "[7].x3d"})
+  for (const char* name :
+       {"one.x3d", "two.WRL", "a/three.glb", "a/b/four.x3dv", "a/b/five.txt", ".six.x3d", "[7].x3d"})
     folder.write(name, "");
   const auto found = [&](std::vector<std::string> words) {
     std::string all;
     for (std::string& word : words) word = (folder.path() / word).string();
-    for (const fs::path& file : sceneFiles(words)) all += file.lexically_relative(folder.path()).string() + ' ';
+    for (const fs::path& file : sceneFiles(words))
+      all += file.lexically_relative(folder.path()).string() + ' ';
     return all;
   };
   EXPECT_EQ(found({""}), "[7].x3d a/b/four.x3dv a/three.glb one.x3d two.WRL ");

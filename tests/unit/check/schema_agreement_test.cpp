@@ -56,13 +56,36 @@ std::vector<std::string> corpus() {
       continue;
     scenes.push_back(edited(goodScene(), broken.from, broken.to));
   }
-  for (const char* value : {"1 2 3", " 1\t2\n3 ", "1,2,3", "1, 2, 3", "1 2 3,", "+1 -2 .5", "1. 2. 3.", "01 2 3", "1 2 3 4", "1e5 2E-5 3e+5",
-                            "1 2", "", "&#x9;1 2 3", "1\xc2\xa0" "2 3", "inf 0 0", "1 2 3 , ,", "--1 2 3", "1e 2 3", "1.5.5 2 3", "1 2 3.5.5"}) {
-    scenes.push_back(edited(goodScene(), R"(translation="1 2 3")", std::string("translation=\"") + value + '"'));
-    scenes.push_back(edited(goodScene(), R"(<Coordinate point="0 0 0 1 1 1"/>)", std::string("<Coordinate point=\"0 0 0 ") + value + "\"/>"));
-    scenes.push_back(edited(goodScene(), R"(coordIndex="0 1 -1")", std::string("coordIndex=\"") + value + '"'));
+  for (const char* value : {"1 2 3",
+                            " 1\t2\n3 ",
+                            "1,2,3",
+                            "1, 2, 3",
+                            "1 2 3,",
+                            "+1 -2 .5",
+                            "1. 2. 3.",
+                            "01 2 3",
+                            "1 2 3 4",
+                            "1e5 2E-5 3e+5",
+                            "1 2",
+                            "",
+                            "&#x9;1 2 3",
+                            "1\xc2\xa0"
+                            "2 3",
+                            "inf 0 0",
+                            "1 2 3 , ,",
+                            "--1 2 3",
+                            "1e 2 3",
+                            "1.5.5 2 3",
+                            "1 2 3.5.5"}) {
+    scenes.push_back(
+        edited(goodScene(), R"(translation="1 2 3")", std::string("translation=\"") + value + '"'));
+    scenes.push_back(edited(goodScene(), R"(<Coordinate point="0 0 0 1 1 1"/>)",
+                            std::string("<Coordinate point=\"0 0 0 ") + value + "\"/>"));
+    scenes.push_back(
+        edited(goodScene(), R"(coordIndex="0 1 -1")", std::string("coordIndex=\"") + value + '"'));
     scenes.push_back(edited(goodScene(), R"(range="100 1000")", std::string("range=\"") + value + '"'));
-    scenes.push_back(edited(goodScene(), R"(<Color color="1 1 1 0 0 0"/>)", std::string("<Color color=\"") + value + "\"/>"));
+    scenes.push_back(edited(goodScene(), R"(<Color color="1 1 1 0 0 0"/>)",
+                            std::string("<Color color=\"") + value + "\"/>"));
     scenes.push_back(edited(goodScene(), R"(bboxSize="1 1 1")", std::string("bboxSize=\"") + value + '"'));
   }
   return scenes;

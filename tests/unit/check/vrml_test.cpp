@@ -107,15 +107,21 @@ TEST(Vrml, PrototypesAndScriptsAreRead) {
   struct Case {
     std::string from, to, rule;
   };
-  for (const Case& broken :
-       {Case{"DEF One Puff", "DEF One Pfuf", "vrml-node"}, {"shade 0 1 0 look", "shape 0 1 0 look", "vrml-field"},
-        {"EXTERNPROTO Far", "EXTERNPROTO Near", "vrml-node"}, {"field SFFloat size", "field SFFloot size", "vrml-syntax"},
-        {"exposedField SFColor", "exposed SFColor", "vrml-syntax"}, {"USE One ]", "USE Paint ]", "use-missing"},
-        {"Count.out TO", "Count.level TO", "route-access"}, {"Count.out TO", "Count.tock TO", "route-field"},
-        {"Fade.value_changed TO One.set_shade\nShape", "Fade.value_changed TO One.done\nShape", "route-access"},
-        {"Inner { }\n", "Outer { }\n", "vrml-node"}, {"size 1 2 3", "size 1 2", "vrml-syntax"},
-        {"0xff0000 0x00ff00", "0xff0000", "vrml-syntax"}, {"shade 0 1 0", "shade IS tint", "vrml-is"},
-        {"key [ 0 1 ]", "set_fraction 1 key [ 0 1 ]", "vrml-field"}}) {
+  for (const Case& broken : {Case{"DEF One Puff", "DEF One Pfuf", "vrml-node"},
+                             {"shade 0 1 0 look", "shape 0 1 0 look", "vrml-field"},
+                             {"EXTERNPROTO Far", "EXTERNPROTO Near", "vrml-node"},
+                             {"field SFFloat size", "field SFFloot size", "vrml-syntax"},
+                             {"exposedField SFColor", "exposed SFColor", "vrml-syntax"},
+                             {"USE One ]", "USE Paint ]", "use-missing"},
+                             {"Count.out TO", "Count.level TO", "route-access"},
+                             {"Count.out TO", "Count.tock TO", "route-field"},
+                             {"Fade.value_changed TO One.set_shade\nShape",
+                              "Fade.value_changed TO One.done\nShape", "route-access"},
+                             {"Inner { }\n", "Outer { }\n", "vrml-node"},
+                             {"size 1 2 3", "size 1 2", "vrml-syntax"},
+                             {"0xff0000 0x00ff00", "0xff0000", "vrml-syntax"},
+                             {"shade 0 1 0", "shade IS tint", "vrml-is"},
+                             {"key [ 0 1 ]", "set_fraction 1 key [ 0 1 ]", "vrml-field"}}) {
     const ValidationResult result = validateVrmlText(edited(good, broken.from, broken.to), "proto.wrl");
     bool found = false;
     for (const Finding& finding : result.findings) found |= finding.rule == broken.rule && finding.line > 1;
@@ -126,7 +132,9 @@ TEST(Vrml, PrototypesAndScriptsAreRead) {
 
 TEST(Vrml, GoesOnAfterAnUnknownNode) {
   const ValidationResult result = validateVrmlText(
-      "#VRML V2.0 utf8\nGruop { children [ Group { } ] }\nGroup { children DEF A Wrong { } }\nLOD { range [ 2 1 ] }\n", "a.wrl");
+      "#VRML V2.0 utf8\nGruop { children [ Group { } ] }\nGroup { children DEF A Wrong { } }\nLOD { range [ "
+      "2 1 ] }\n",
+      "a.wrl");
   ASSERT_EQ(result.findings.size(), 4u) << texts(result);
   EXPECT_EQ(result.findings[0].line, 2u);
   EXPECT_EQ(result.findings[1].rule, "vrml-node");
@@ -146,11 +154,15 @@ TEST(Vrml, PlacesAreRightAcrossChunks) {
 
 TEST(Vrml, HostileTextIsRefused) {
   std::string nested = "#VRML V2.0 utf8\n", lists = nested;
-  for (int i = 0; i < 100000; ++i) nested += "PROTO A [ ] { ", lists += "PROTO A [ field SFNode a Group { children ";
+  for (int i = 0; i < 100000; ++i)
+    nested += "PROTO A [ ] { ", lists += "PROTO A [ field SFNode a Group { children ";
   EXPECT_FALSE(validateVrmlText(nested, "nested.wrl").valid());
   EXPECT_FALSE(validateVrmlText(lists, "nested.wrl").valid());
-  EXPECT_EQ(validateVrmlText("#VRML V2.0 utf8\n" + std::string(3 << 20, 'x'), "word.wrl").findings[0].rule, "vrml-limit");
-  EXPECT_FALSE(validateVrmlText("#VRML V2.0 utf8\nWorldInfo { title \"" + std::string(3 << 20, 'x'), "string.wrl").valid());
+  EXPECT_EQ(validateVrmlText("#VRML V2.0 utf8\n" + std::string(3 << 20, 'x'), "word.wrl").findings[0].rule,
+            "vrml-limit");
+  EXPECT_FALSE(
+      validateVrmlText("#VRML V2.0 utf8\nWorldInfo { title \"" + std::string(3 << 20, 'x'), "string.wrl")
+          .valid());
   std::string points = "#VRML V2.0 utf8\nShape { geometry PointSet { coord Coordinate { point [ ";
   while (points.size() < (20u << 20)) points += "0.125 1000 -3.5, ";
   EXPECT_EQ(validateVrmlText(points + "] } } }", "points.wrl").findings[0].rule, "vrml-limit");
