@@ -14,24 +14,34 @@ namespace cloudgen::check {
 std::span<const FileKind> fileKinds() {
   static constexpr std::array<FileKind, 4> kKinds{{
       {".x3d", "X3D in XML encoding", validateX3d},
-      {".glb", "binary glTF 2.0", validateGlb},
+      {".glb", "binary glTF 2.0, Gaussian splats too", validateGlb},
       {".wrl", "VRML97", validateVrml},
       {".x3dv", "X3D in ClassicVRML encoding", validateVrml},
   }};
   return kKinds;
 }
 
-ValidationResult validateFile(const std::filesystem::path& file,
-                              const std::optional<std::filesystem::path>& schema,
-                              const base::Progress& progress) {
-  const std::string extension = file.extension().string();
-  std::string known;
+const FileKind* fileKind(const std::filesystem::path& file) {
+  const std::string name = file.filename().string();
   for (const FileKind& kind : fileKinds()) {
-    if (base::equalIgnoringCase(kind.extension, extension)) return kind.validate(file, schema, progress);
-    known += known.empty() ? "" : ", ";
-    known += kind.extension;
+    const std::size_t length = kind.ending.size();
+    if (name.size() >= length && base::equalIgnoringCase(name.substr(name.size() - length), kind.ending))
+      return &kind;
   }
-  throw base::InputError(file.string(), "is of no kind that can be validated", "known are " + known);
+  return nullptr;
+}
+
+std::string knownEndings() {
+  std::string known;
+  for (const FileKind& kind : fileKinds())
+    known += fmt::format("{}{}", known.empty() ? "" : ", ", kind.ending);
+  return known;
+}
+
+ValidationResult validateFile(const std::filesystem::path& file, const ChosenSchema& schema,
+                              const base::Progress& progress) {
+  if (const FileKind* kind = fileKind(file)) return kind->validate(file, schema, progress);
+  throw base::InputError(file.string(), "is of no kind that can be validated", "known are " + knownEndings());
 }
 
 }  // namespace cloudgen::check

@@ -4,105 +4,100 @@
 #include <exception>
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/file.hpp"
 #include "check/catalogue.hpp"
+#include "check/report/report.hpp"
+#include "check/scene_files.hpp"
 #include "cli/command.hpp"
 
 namespace cloudgen::cli {
+namespace fs = std::filesystem;
+
 namespace {
 
 struct Options {
   std::vector<std::string> files;
-  std::string schema;
+  std::string schema, junit, sarif;
   bool json = false;
 };
 
-/// Text of a scene that is no UTF-8 is replaced, not refused: it stands in messages.
-std::string dumped(const nlohmann::ordered_json& value) {
-  return value.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-}
-
-nlohmann::ordered_json jsonOf(const std::string& file, const check::ValidationResult& result) {
-  nlohmann::ordered_json entry{{"file", file},
-                               {"valid", result.valid()},
-                               {"elements", result.elements},
-                               {"nodes", result.nodes},
-                               {"bytes", result.bytes}};
-  entry["findings"] = nlohmann::ordered_json::array();
-  for (const check::Finding& finding : result.findings)
-    entry["findings"].push_back({{"severity", check::name(finding.severity)},
-                                 {"line", finding.line},
-                                 {"column", finding.column},
-                                 {"rule", finding.rule},
-                                 {"message", finding.message},
-                                 {"hint", finding.hint}});
-  return entry;
-}
-
-std::string summary(std::size_t files, std::size_t invalid, std::size_t errors, std::size_t warnings) {
-  const std::string counts = fmt::format("{} error{}, {} warning{}", errors, errors == 1 ? "" : "s", warnings,
-                                         warnings == 1 ? "" : "s");
-  return invalid == 0 ? fmt::format("{} of {} valid ({})", files, files, counts)
-                      : fmt::format("{} of {} not valid ({})", invalid, files, counts);
+std::string summary(const check::Totals& totals) {
+  const std::string counts =
+      fmt::format("{} error{}, {} warning{}", totals.errors, totals.errors == 1 ? "" : "s", totals.warnings,
+                  totals.warnings == 1 ? "" : "s");
+  return totals.invalid == 0 ? fmt::format("{} of {} valid ({})", totals.files, totals.files, counts)
+                             : fmt::format("{} of {} not valid ({})", totals.invalid, totals.files, counts);
 }
 
 /// A file that cannot be read is a finding too, so that the others are still checked; the first such failure
 /// is kept.
-check::ValidationResult validated(const std::string& file, const std::optional<std::filesystem::path>& schema,
-                                  const base::Progress& progress, std::exception_ptr& unreadable) {
+check::CheckedFile checked(const fs::path& file, const check::ChosenSchema& schema,
+                           const base::Progress& progress, std::exception_ptr& unreadable) {
   try {
-    return check::validateFile(file, schema, progress);
+    return {file.string(), check::validateFile(file, schema, progress)};
   } catch (const base::InputError& error) {
     if (!unreadable) unreadable = std::current_exception();
     check::ValidationResult result;
     result.findings.push_back(
         {check::Severity::Error, error.where(), 0, 0, "unreadable", error.problem(), error.hint()});
-    return result;
+    return {file.string(), result, true};
   }
 }
 
+/// A report takes the place of an older one, but never that of what it reports on.
+void refuseToOverwriteScene(const std::string& option, const std::string& report,
+                            const std::vector<fs::path>& files) {
+  std::error_code error;
+  for (const fs::path& file : files)
+    if (!report.empty() && fs::equivalent(report, file, error))
+      throw base::UsageError(option + " " + report, "is one of the files to check",
+                             "give the report a name of its own");
+}
+
 int run(const Options& options, const Terminal& terminal) {
-  const std::optional<std::filesystem::path> schema =
-      options.schema.empty() ? std::nullopt : std::optional<std::filesystem::path>(options.schema);
   const base::Progress progress = terminal.progress();
-  nlohmann::ordered_json report{{"files", nlohmann::ordered_json::array()}};
-  std::size_t invalid = 0, errors = 0, warnings = 0;
+  const std::vector<fs::path> files = check::sceneFiles(options.files);
+  refuseToOverwriteScene("--junit", options.junit, files);
+  refuseToOverwriteScene("--sarif", options.sarif, files);
+  const check::ChosenSchema schema =
+      options.schema.empty() ? check::ChosenSchema() : check::ChosenSchema(options.schema);
+  if (!options.schema.empty()) schema.compiled();
+  std::vector<check::CheckedFile> results;
   std::exception_ptr unreadable;
-  for (const std::string& file : options.files) {
-    const check::ValidationResult result = validated(file, schema, progress, unreadable);
-    for (const check::Finding& finding : result.findings) {
-      ++(finding.severity == check::Severity::Error ? errors : warnings);
-      if (!options.json) print(check::text(finding));
-    }
-    invalid += result.valid() ? 0 : 1;
-    if (options.json) report["files"].push_back(jsonOf(file, result));
+  for (const fs::path& file : files) {
+    results.push_back(checked(file, schema, progress, unreadable));
+    if (!options.json)
+      for (const check::Finding& finding : results.back().result.findings) print(check::text(finding));
   }
   progress.step("validate", 1);
-  report["valid"] = invalid == 0;
+  const check::Totals totals = check::totalsOf(results);
   if (options.json)
-    print(dumped(report));
+    print(check::jsonReport(results));
   else if (!terminal.quiet)
-    print(summary(options.files.size(), invalid, errors, warnings));
+    print(summary(totals));
+  if (!options.junit.empty()) base::writeFile(options.junit, check::junitReport(results));
+  if (!options.sarif.empty()) base::writeFile(options.sarif, check::sarifReport(results, CLOUDGEN_VERSION));
   if (unreadable) std::rethrow_exception(unreadable);
-  return invalid == 0 ? 0 : static_cast<int>(base::Failure::Output);
+  return totals.invalid == 0 ? 0 : static_cast<int>(base::Failure::Output);
 }
 
 }  // namespace
 
 std::function<int()> setupValidate(CLI::App& app, const Terminal& terminal) {
   const auto options = std::make_shared<Options>();
-  std::string kinds;
-  for (const check::FileKind& kind : check::fileKinds())
-    kinds += fmt::format("{}{}", kinds.empty() ? "" : ", ", kind.extension);
-  app.add_option("FILE", options->files, "scenes to check: " + kinds)->required();
+  app.add_option("FILE", options->files,
+                 "scenes to check (" + check::knownEndings() +
+                     "), folders of them, or quoted patterns such as 'scenes/**/*.x3d'")
+      ->required();
   app.add_option("--schema", options->schema,
                  "XML Schema for .x3d files, instead of cloudgen's own profile of X3D 4.0");
   app.add_flag("--json", options->json, "one JSON object on stdout");
+  app.add_option("--junit", options->junit, "also a JUnit report, for CI servers");
+  app.add_option("--sarif", options->sarif, "also a SARIF log, for code hosts");
   return [options, &terminal] { return run(*options, terminal); };
 }
 

@@ -8,68 +8,13 @@
 #include <optional>
 #include <set>
 
+#include "check/gltf/gltf_elements.hpp"
+#include "check/gltf/gltf_rules.hpp"
+
 namespace cloudgen::check {
 namespace {
 
-using Json = nlohmann::json;
-using Count = std::uint64_t;
-
 constexpr int kDepthLimit = 64;
-
-std::optional<Count> integer(const Json& object, const char* key) {
-  const auto found = object.is_object() ? object.find(key) : object.end();
-  if (!object.is_object() || found == object.end() || !found->is_number_integer() ||
-      (found->is_number_integer() && !found->is_number_unsigned()))
-    return {};
-  const Count value = found->get<Count>();
-  return value > (Count{1} << 40) ? std::nullopt : std::optional(value);  // sums of two stay exact
-}
-
-const Json& list(const Json& object, const char* key) {
-  static const Json empty = Json::array();
-  if (!object.is_object()) return empty;
-  const auto found = object.find(key);
-  return found != object.end() && found->is_array() ? *found : empty;
-}
-
-const Json& member(const Json& object, const char* key) {
-  static const Json nothing;
-  const auto found = object.is_object() ? object.find(key) : object.end();
-  return object.is_object() && found != object.end() ? *found : nothing;
-}
-
-Count componentBytes(Count type) {
-  switch (type) {
-    case 5120:
-    case 5121:
-      return 1;
-    case 5122:
-    case 5123:
-      return 2;
-    case 5125:
-    case 5126:
-      return 4;
-    default:
-      return 0;
-  }
-}
-
-Count componentsOf(const Json& type) {
-  if (type == "SCALAR") return 1;
-  if (type == "VEC2") return 2;
-  if (type == "VEC3") return 3;
-  if (type == "VEC4" || type == "MAT2") return 4;
-  if (type == "MAT3") return 9;
-  return type == "MAT4" ? 16 : 0;
-}
-
-/// An accessor as bytes: nothing in it if it has no buffer view or is broken.
-struct Elements {
-  bool known = false;
-  Count count = 0, componentType = 0, components = 0;
-  std::string_view bytes;
-  Count stride = 0;
-};
 
 class Checker {
  public:
@@ -137,6 +82,7 @@ class Checker {
     const auto wrong = [&](std::string_view what) {
       error("gltf-accessor", fmt::format("accessor {} {}", number, what), "see glTF 2.0, 3.6.2");
     };
+    elements.normalized = member(accessor, "normalized") == true;
     if (size == 0 || elements.count == 0) return wrong("has no count, type or component type"), Elements{};
     elements.known = true;
     if (!accessor.contains("bufferView")) return elements;  // zeros, or given by an extension
@@ -193,6 +139,14 @@ class Checker {
                           positions->count),
               "all attributes have the same count");
     }
+    const auto columnOf = [&](const std::string& name) -> const Elements* {
+      const Json& index = member(attributes, name.c_str());
+      return index.is_number_unsigned() && index.get<Count>() < elements_.size()
+                 ? &elements_[index.get<Count>()]
+                 : nullptr;
+    };
+    checkFinite(attributes, columnOf, where, findings_);
+    checkSplats(primitive, columnOf, where, findings_);
     checkPositions(*positions, list(document_, "accessors")[attributes["POSITION"].get<Count>()], where);
     if (primitive.contains("indices")) checkIndices(primitive, positions->count, where);
     const Count mode = integer(primitive, "mode").value_or(4);
@@ -252,6 +206,33 @@ class Checker {
     }
   }
 
+  /// The bytes of a buffer view that lies in the file; empty if there are none.
+  std::string_view bytesOfView(const Json& owner) const {
+    const auto index = integer(owner, "bufferView");
+    const Json& views = list(document_, "bufferViews");
+    if (!index || *index >= views.size() || integer(views[*index], "buffer") != Count{0}) return {};
+    const Count offset = integer(views[*index], "byteOffset").value_or(0),
+                length = integer(views[*index], "byteLength").value_or(0);
+    return offset + length <= binary_.size() ? binary_.substr(offset, length) : std::string_view();
+  }
+
+  /// EXT_mesh_gpu_instancing: every attribute has one value an instance.
+  void checkInstances(const Json& node, const std::string& where) {
+    const Json& attributes =
+        member(member(member(node, "extensions"), "EXT_mesh_gpu_instancing"), "attributes");
+    std::optional<Count> count;
+    for (const auto& [name, index] : attributes.items()) {
+      const Elements* elements = elementsOf(index, where + " " + name);
+      if (!elements || !elements->known) continue;
+      if (count.value_or(elements->count) != elements->count)
+        error("gltf-instancing", where + " has instance attributes of different counts",
+              "give every instance a value in each");
+      count = elements->count;
+    }
+    if (attributes.is_object() && !node.contains("mesh"))
+      error("gltf-instancing", where + " has instances of no mesh", "name a mesh");
+  }
+
   void checkTarget(const Json& owner, const char* key, const char* table, const std::string& where) {
     if (!owner.is_object() || !owner.contains(key)) return;
     const auto index = integer(owner, key);
@@ -272,6 +253,8 @@ class Checker {
       checkTarget(nodes[i], "mesh", "meshes", fmt::format("node {}", i));
       checkTarget(nodes[i], "camera", "cameras", fmt::format("node {}", i));
       checkTarget(nodes[i], "skin", "skins", fmt::format("node {}", i));
+      checkPlacement(nodes[i], fmt::format("node {}", i), findings_);
+      checkInstances(nodes[i], fmt::format("node {}", i));
       for (const Json& child : list(nodes[i], "children")) {
         if (!child.is_number_unsigned() || child.get<Count>() >= nodes.size())
           error("gltf-reference", fmt::format("node {} has a child that is not there", i),
@@ -292,8 +275,10 @@ class Checker {
       checkTarget(texture, "source", "images", "a texture");
       checkTarget(texture, "sampler", "samplers", "a texture");
     }
-    for (const Json& image : list(document_, "images"))
+    for (const Json& image : list(document_, "images")) {
       checkTarget(image, "bufferView", "bufferViews", "an image");
+      checkImage(image, bytesOfView(image), findings_);
+    }
     for (const Json& mesh : list(document_, "meshes"))
       for (const Json& primitive : list(mesh, "primitives"))
         checkTarget(primitive, "material", "materials", "a primitive");

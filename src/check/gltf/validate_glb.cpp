@@ -81,7 +81,7 @@ ValidationResult validateGlbBytes(std::string_view bytes, const std::string& nam
   return result;
 }
 
-ValidationResult validateGlb(const std::filesystem::path& file, const std::optional<std::filesystem::path>&,
+ValidationResult validateGlb(const std::filesystem::path& file, const ChosenSchema&,
                              const base::Progress& progress) {
   return validateGlbBytes(base::readFile(file), file.string(), progress);
 }

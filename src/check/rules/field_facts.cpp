@@ -20,6 +20,7 @@ void addNumber(FieldFacts& facts, double number, double before) {
   if (facts.numbers == 0) facts.low = facts.high = number;
   facts.low = std::min(facts.low, number);
   facts.high = std::max(facts.high, number);
+  facts.sum += number;
   if (facts.numbers > 0 && number < before) facts.increasing = false;
   ++facts.numbers;
 }
@@ -57,11 +58,18 @@ ListResult readIntegers(FieldFacts& facts, std::string_view value) {
   return list;
 }
 
+/// Lists of points and colours: how many there are is all that the rules ask of them.
+bool isOnlyCounted(std::string_view type) {
+  return type.starts_with("MF") && tupleSize(type) > 1 && !type.ends_with("Rotation");
+}
+
 void readNumbers(FieldFacts& facts, std::string_view value, FindingList& findings) {
   const FieldKind& field = *facts.field;
   const bool whole = field.type.ends_with("Int32");
-  const ListResult list =
-      whole ? readIntegers(facts, value) : readFloats(facts, value, field.type.ends_with("Rotation"));
+  if (isOnlyCounted(field.type)) facts.numbers = countPlainNumbers(value).value_or(0);
+  const ListResult list = facts.numbers > 0 ? ListResult{}
+                          : whole           ? readIntegers(facts, value)
+                                            : readFloats(facts, value, field.type.ends_with("Rotation"));
   const auto size = static_cast<std::uint64_t>(tupleSize(field.type));
   facts.tuples = facts.numbers / size;
   facts.readable = false;
@@ -114,6 +122,13 @@ FieldFacts readField(const FieldKind& field, std::string_view value, Position wh
     facts.readable = facts.truth || word == "false" || word == "FALSE";
     if (!facts.readable)
       findings.error(where, "boolean", field.name + " is " + excerpt(word), "an SFBool is true or false");
+  } else if (field.type == "MFBool") {
+    for (std::string_view rest = trimmed(value); !rest.empty(); rest = trimmed(rest)) {
+      std::size_t end = 0;
+      while (end < rest.size() && !separatesNumbers(rest[end])) ++end;
+      rest.remove_prefix(end);
+      ++facts.tuples;
+    }
   } else if (field.type == "MFString") {
     std::vector<std::string> strings;
     facts.readable = splitStrings(value, strings);

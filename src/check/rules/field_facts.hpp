@@ -19,13 +19,13 @@ struct FieldFacts {
   std::uint64_t numbers = 0;
   std::uint64_t tuples = 0;  ///< complete ones
   std::array<double, 4> first{};
-  double low = 0, high = 0;
-  bool increasing = true;         ///< no number is less than the one before
-  bool truth = false;             ///< of an SFBool
-  std::uint64_t zeroAxes = 0;     ///< rotations about (0, 0, 0)
-  std::uint64_t runs = 0;         ///< of an index list: faces or lines, parted by -1
-  std::uint64_t shortestRun = 0;  ///< indices in the shortest of them
-  bool readable = true;           ///< no finding about its form
+  double low = 0, high = 0, sum = 0;  ///< of the numbers; not of lists of points or colours
+  bool increasing = true;             ///< no number is less than the one before
+  bool truth = false;                 ///< of an SFBool
+  std::uint64_t zeroAxes = 0;         ///< rotations about (0, 0, 0)
+  std::uint64_t runs = 0;             ///< of an index list: faces or lines, parted by -1
+  std::uint64_t shortestRun = 0;      ///< indices in the shortest of them
+  bool readable = true;               ///< no finding about its form
 };
 
 /// Reads the value of a field: reports what has the wrong form (number, number-not-finite, number-count,

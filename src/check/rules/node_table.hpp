@@ -14,27 +14,34 @@ enum class Access { InitializeOnly, InputOnly, OutputOnly, InputOutput };
 struct FieldKind {
   std::string name;
   std::string type;  ///< "SFVec3f", "MFNode" ...
-  Access access{};
-  std::string accepts;  ///< of a node field: the role that a node in it must have
+  Access access = Access::InputOutput;
+  std::vector<std::string> accepts;  ///< of a node field: a node in it must be one of these types
+
+  bool takesNodes() const { return type == "SFNode" || type == "MFNode"; }
 };
 
-/// A node that cloudgen writes, by ISO/IEC 19775-1.
+/// A node of X3D 4.0, by ISO/IEC 19775-1:2023.
 struct NodeKind {
   std::string name;
   std::string component;
-  int level = 1;          ///< of the component
-  int version = 33;       ///< first X3D version that has it, times ten; 20 is VRML97
-  std::string role;       ///< what it can be: "child", "geometry", "coord" ...
-  std::string container;  ///< the field it goes to when none is named
+  int level = 1;                   ///< of the component
+  int version = 33;                ///< first X3D version that has it, times ten; 20 is VRML97
+  std::string container;           ///< the field it goes to when none is named
+  std::vector<std::string> types;  ///< itself and the abstract types that it derives from
   std::vector<FieldKind> fields;
+  std::string tuplesField;  ///< of coordinates, normals and colours: the field that others index
+  bool isGeometry = false, isBackground = false, hasKeys = false;
+  bool isOpen = false;  ///< a document may give it fields of its own: a script or shader
 
   const FieldKind* field(std::string_view name) const;
+  bool is(std::string_view type) const;
+  bool fits(const FieldKind& field) const;
 };
 
 /// The node of a name, or null: then nothing is known about it, and nothing of it is checked.
 const NodeKind* nodeKind(std::string_view name);
 
-/// All nodes of the table.
+/// All nodes.
 std::span<const NodeKind> nodeKinds();
 
 /// Numbers in one value of a field type: 3 for SFVec3f and MFVec3f, 0 where the type holds no numbers.

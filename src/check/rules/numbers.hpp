@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 namespace cloudgen::check {
@@ -53,6 +54,38 @@ std::size_t readNumber(std::string_view text, Number& value) {
 }
 
 }  // namespace detail
+
+/// How many numbers stand in a list that is written plainly: decimals between blanks and commas, with an
+/// exponent of one digit if any. Nothing where it is not, or where it is empty: forEachNumber tells.
+inline std::optional<std::uint64_t> countPlainNumbers(std::string_view list) {
+  const auto isDigit = [](char c) { return static_cast<unsigned char>(c - '0') < 10; };
+  std::uint64_t count = 0;
+  const char* at = list.data();
+  const char* end = at + list.size();
+  for (;;) {
+    while (at != end && separatesNumbers(*at)) ++at;
+    if (at == end) return count > 0 ? std::optional(count) : std::nullopt;
+    if (*at == '-' || *at == '+') ++at;
+    const char* start = at;
+    while (at != end && isDigit(*at)) ++at;
+    auto digits = at - start;
+    if (at != end && *at == '.') {
+      start = ++at;
+      while (at != end && isDigit(*at)) ++at;
+      digits += at - start;
+    }
+    if (digits == 0 || digits > 40) return {};
+    if (at != end && (*at == 'e' || *at == 'E')) {
+      ++at;
+      if (at != end && (*at == '-' || *at == '+')) ++at;
+      start = at;
+      while (at != end && isDigit(*at)) ++at;
+      if (at == start || at - start > 1) return {};
+    }
+    if (at != end && !separatesNumbers(*at)) return {};
+    ++count;
+  }
+}
 
 /// Reads numbers (double or int64) between blanks and commas by std::from_chars, locale-free, and hands them
 /// over one by one. An integer may be hexadecimal ("0xff"). Stops at the first thing that is no finite

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "check/rules/scene_checker.hpp"
 
-#include <tuple>
-
 #include "check/rules/profiles.hpp"
 
 namespace cloudgen::check {
@@ -10,27 +8,27 @@ namespace {
 
 constexpr int kVrml97 = 20;
 
-bool isNodeField(const FieldKind& field) { return field.type == "SFNode" || field.type == "MFNode"; }
-
 std::string place(Position where) { return fmt::format("line {}", where.line); }
 
-/// The field that a route's end names: "x", "set_x" or "x_changed" for an inputOutput field x.
-const FieldKind* routedField(const NodeKind& kind, std::string_view name, bool isSource) {
-  if (const FieldKind* exact = kind.field(name)) return exact;
-  constexpr std::string_view kSet = "set_", kChanged = "_changed";
-  if (isSource ? !name.ends_with(kChanged) : !name.starts_with(kSet)) return nullptr;
-  const FieldKind* plain =
-      kind.field(isSource ? name.substr(0, name.size() - kChanged.size()) : name.substr(kSet.size()));
-  return plain && plain->access == Access::InputOutput ? plain : nullptr;
+/// Where in the parent the node could go.
+std::string containerHint(const NodeKind& parent, const NodeKind& node) {
+  for (const FieldKind& field : parent.fields)
+    if (field.takesNodes() && node.fits(field) && field.access != Access::InputOnly &&
+        field.access != Access::OutputOnly)
+      return fmt::format("its containerField here is {}", field.name);
+  return fmt::format("{} has no field for it: put it into another node", parent.name);
+}
+
+bool mayStandInScene(const NodeKind& kind) {
+  return kind.is("X3DChildNode") || kind.is("X3DMetadataObject") || kind.name == "LayerSet";
 }
 
 }  // namespace
 
 SceneChecker::SceneChecker(FindingList& findings, std::filesystem::path folder)
-    : findings_(findings), folder_(std::move(folder)), components_(componentsOf("Full")) {
-  open_.emplace_back();
-  open_.back().type = "Scene";
-  beginScope();
+    : findings_(findings), urls_(std::move(folder)), components_(componentsOf("Full")) {
+  push().type = "Scene";
+  scopes_.emplace_back();
 }
 
 void SceneChecker::document(int version, std::string_view profile, Position where) {
@@ -46,43 +44,56 @@ void SceneChecker::component(std::string_view name, int level) {
 
 void SceneChecker::begin(std::string_view type, Position where, std::string_view container) {
   ++findings_.result().nodes;
-  NodeRecord node;
+  NodeRecord& parent = top();
+  NodeRecord& node = push();
   node.type = type;
   node.kind = nodeKind(type);
   node.where = where;
   node.container = container;
-  placeInParent(node);
+  placeInParent(node, parent);
   if (node.kind) needComponent(node);
-  open_.push_back(std::move(node));
 }
 
-void SceneChecker::placeInParent(NodeRecord& node) {
-  NodeRecord& parent = open_.back();
-  const bool isScene = open_.size() == 1;
+NodeRecord& SceneChecker::push() {
+  if (depth_ == open_.size()) open_.emplace_back();
+  open_[depth_].clear();
+  return open_[depth_++];
+}
+
+void SceneChecker::placeInParent(NodeRecord& node, NodeRecord& parent) {
+  const bool isScene = depth_ == 2;  // the node is open already
   const bool inSet = parent.type == "MetadataSet";
   if (node.container.empty() && node.kind) node.container = inSet ? "value" : node.kind->container;
   if (node.container.empty() && (isScene || (parent.kind && parent.kind->field("children"))))
     node.container = "children";
-  auto& children = parent.children[node.container];
-  ++children.count;
+  std::uint64_t count = 0;
+  if (const auto* siblings = parent.in(node.container))
+    count = ++parent.children[static_cast<std::size_t>(siblings - parent.children.data())].count;
+  else
+    parent.children.push_back({node.container, count = 1, {}});
+  if (!node.kind) return;
   if (isScene) {
-    if (node.kind && node.kind->role != "child" && node.kind->role != "metadata")
+    if (!mayStandInScene(*node.kind))
       findings_.error(node.where, "container-field",
                       fmt::format("{} cannot stand in the scene itself", node.type),
                       "put it into the node that it belongs to");
-    else if (node.kind && node.container != node.kind->container)
+    else if (node.container != node.kind->container)
       findings_.error(node.where, "container-field",
                       fmt::format("the scene has no field {}", excerpt(node.container)),
                       fmt::format("leave containerField out: it is {}", node.kind->container));
     return;
   }
-  if (!parent.kind || !node.kind) return;
+  if (!parent.kind) return;
   const FieldKind* field = parent.kind->field(node.container);
-  if (!field || !isNodeField(*field) || field->accepts != node.kind->role)
+  if (!field || !field->takesNodes() || !node.kind->fits(*field))
     findings_.error(node.where, "container-field",
                     fmt::format("{} does not take {} as {}", parent.type, node.type, excerpt(node.container)),
-                    fmt::format("{} goes to a field {} of its parent", node.type, node.kind->container));
-  else if (field->type == "SFNode" && children.count > 1)
+                    containerHint(*parent.kind, *node.kind));
+  else if (field->access == Access::InputOnly || field->access == Access::OutputOnly)
+    findings_.error(node.where, "container-field",
+                    fmt::format("{} of {} cannot be given in a file", field->name, parent.type),
+                    containerHint(*parent.kind, *node.kind));
+  else if (field->type == "SFNode" && count > 1)
     findings_.error(node.where, "node-twice", fmt::format("{} has a second {}", parent.type, node.container),
                     "the field takes one node");
 }
@@ -107,65 +118,74 @@ void SceneChecker::needComponent(const NodeRecord& node) {
 }
 
 void SceneChecker::define(std::string_view def, Position where) {
-  NodeRecord& node = open_.back();
+  NodeRecord& node = top();
   node.def = def;
   auto& names = scopes_.back().names;
-  const auto [found, isNew] =
-      names.try_emplace(node.def, Definition{node.type, node.kind, node.where, true, {}});
+  Definition definition;
+  if (node.kind)
+    definition.type = &node.kind->name;
+  else if (!node.type.empty())
+    definition.type = &*types_.insert(node.type).first;
+  definition.kind = node.kind, definition.where = node.where, definition.ownFields = node.ownFields;
+  const auto [found, isNew] = names.add(node.def, definition);
+  node.definition = found;
   if (isNew) return;
-  const std::string message =
-      fmt::format("the name {} is taken since {}", excerpt(def), place(found->second.where));
+  const std::string message = fmt::format("the name {} is taken since {}", excerpt(def), place(found->where));
   if (version_ == kVrml97) {
     findings_.warning(where, "def-duplicate", message,
                       "later USEs mean this node; give it a name of its own");
-    found->second = Definition{node.type, node.kind, node.where, true, {}};
+    *found = definition;
   } else {
     node.def.clear();
+    node.definition = nullptr;
     findings_.error(where, "def-duplicate", message, "give the node a name of its own");
   }
 }
 
 void SceneChecker::use(std::string_view name, Position where) {
-  NodeRecord& node = open_.back();
+  NodeRecord& node = top();
   node.use = name;
   const auto& names = scopes_.back().names;
-  const auto found = names.find(name);
-  if (found == names.end()) {
-    scopes_.back().missing.push_back({std::string(name), node.type, where});
-  } else if (found->second.open && node.def != name) {
+  const Definition* found = names.find(name);
+  if (!found) {
+    if (scopes_.back().missing.size() < FindingList::kLimit)
+      scopes_.back().missing.push_back({std::string(name), node.type, where});
+  } else if (found->open && node.def != name) {
     findings_.error(where, "use-cycle", fmt::format("{} contains itself", excerpt(name)),
                     "a node cannot be used within itself");
-  } else if (!found->second.type.empty() && found->second.type != node.type) {
-    findings_.error(where, "use-type",
-                    fmt::format("{} is a {} ({}), not a {}", excerpt(name), found->second.type,
-                                place(found->second.where), node.type),
-                    "USE the name of a node of the same type");
+  } else if (found->type && *found->type != node.type) {
+    findings_.error(
+        where, "use-type",
+        fmt::format("{} is a {} ({}), not a {}", excerpt(name), *found->type, place(found->where), node.type),
+        "USE the name of a node of the same type");
   }
 }
 
 void SceneChecker::field(std::string_view name, std::string_view value, Position where) {
-  NodeRecord& node = open_.back();
-  const FieldKind* kind = node.kind ? node.kind->field(name) : nullptr;
-  if (!kind || isNodeField(*kind)) return;
-  node.facts.push_back(readField(*kind, value, where, findings_));
-  const bool isUrl = kind->type == "MFString" && (name == "url" || name.ends_with("Url"));
-  if (!isUrl || !node.facts.back().readable) return;
+  NodeRecord& node = top();
+  const FieldKind* kind = currentField(name);
+  if (!kind || kind->takesNodes()) return;
+  if (node.kind) node.facts.push_back(readField(*kind, value, where, findings_));
+  if (kind->type != "MFString" || (node.kind && !node.facts.back().readable)) return;
+  const bool isUrl = name == "url" || name.ends_with("Url");
+  if (!isUrl && name != "geoSystem") return;
+  const bool holdsScript = node.kind && node.kind->isOpen;  // in place of an address
+  if (isUrl && !holdsScript) urls_.check(value, where, findings_);
+  if (isUrl) return;
   std::vector<std::string> strings;
   splitStrings(value, strings);
-  checkUrl(strings, where, folder_, findings_);
+  checkGeoSystem(strings, where, findings_);
 }
 
 void SceneChecker::end() {
-  const NodeRecord node = std::move(open_.back());
-  open_.pop_back();
-  auto& names = scopes_.back().names;
+  const NodeRecord& node = top();
+  pop();  // its memory stays until the next begins
+  const auto& names = scopes_.back().names;
   std::optional<std::uint64_t> tuples;
-  for (const FieldFacts& facts : node.facts)
-    if (facts.field->name == "point" || facts.field->name == "color")
-      if (facts.readable) tuples = facts.tuples;
-  const bool holdsTuples = node.kind && (node.kind->role == "coord" || node.kind->role == "texCoord" ||
-                                         node.kind->role == "color");
-  if (holdsTuples && node.facts.empty()) tuples = 0;
+  if (node.kind && !node.kind->tuplesField.empty()) {
+    const FieldFacts* facts = node.fact(node.kind->tuplesField);
+    if (!facts || facts->readable) tuples = facts ? facts->tuples : 0;
+  }
   if (!node.use.empty()) {
     if (!node.def.empty())
       findings_.error(
@@ -176,31 +196,76 @@ void SceneChecker::end() {
       findings_.error(node.where, "use-content",
                       fmt::format("USE {} has fields or children of its own", excerpt(node.use)),
                       "a USE shares the whole node: leave them out");
-    const auto found = names.find(node.use);
-    tuples = found == names.end() ? std::nullopt : found->second.tuples;
+    const Definition* found = names.find(node.use);
+    tuples = !found ? std::nullopt : found->tuples;
   } else if (node.kind) {
     checkNode(node, findings_);
   }
-  if (const auto found = names.find(node.def); !node.def.empty() && found != names.end()) {
-    found->second.open = false;
-    found->second.tuples = tuples;
+  if (node.definition) {
+    node.definition->open = false;
+    node.definition->tuples = tuples;
+    node.definition->ownFields = node.ownFields;
   }
-  open_.back().children[node.container].tuples = tuples;
+  for (NodeRecord::Children& siblings : top().children)
+    if (siblings.field == node.container) siblings.tuples = tuples;
 }
 
 void SceneChecker::foreignName(std::string_view name) {
-  scopes_.back().names.try_emplace(std::string(name), Definition{"", nullptr, {}, false, {}});
+  scopes_.back().names.add(name, Definition{nullptr, nullptr, {}, false, {}, nullptr});
 }
 
 std::string SceneChecker::typeOf(std::string_view name) const {
-  const auto found = scopes_.back().names.find(name);
-  return found == scopes_.back().names.end() ? std::string() : found->second.type;
+  const Definition* found = scopes_.back().names.find(name);
+  return found && found->type ? *found->type : std::string();
 }
 
-void SceneChecker::endScope() {
-  if (scopes_.size() == 1) return;
+const FieldKind* SceneChecker::currentField(std::string_view name) const {
+  const NodeRecord& node = top();
+  if (const FieldKind* field = node.kind ? node.kind->field(name) : nullptr) return field;
+  if (node.ownFields)
+    for (const FieldKind& field : *node.ownFields)
+      if (field.name == name) return &field;
+  return nullptr;
+}
+
+void SceneChecker::beginBody() {
+  scopes_.emplace_back();
+  beginAnything();
+}
+
+void SceneChecker::endBody() {
+  endAnything();
   resolve(scopes_.back());
   scopes_.pop_back();
+}
+
+void SceneChecker::prototype(std::string_view name) {
+  declared_ = std::make_shared<std::vector<FieldKind>>();
+  scopes_.back().prototypes[std::string(name)] = declared_;
+}
+
+void SceneChecker::interfaceField(FieldKind field) {
+  if (declared_) declared_->push_back(std::move(field));
+}
+
+SceneChecker::Fields SceneChecker::fieldsOf(std::string_view prototype) const {
+  for (auto scope = scopes_.rbegin(); scope != scopes_.rend(); ++scope)
+    if (const auto found = scope->prototypes.find(prototype); found != scope->prototypes.end())
+      return found->second;
+  return nullptr;
+}
+
+void SceneChecker::instanceOf(std::string_view prototype, Position where) {
+  top().ownFields = fieldsOf(prototype);
+  if (!top().ownFields)
+    findings_.error(where, "proto-missing", fmt::format("there is no prototype named {}", excerpt(prototype)),
+                    "declare it before it is used; upper and lower case count");
+}
+
+void SceneChecker::ownField(FieldKind field) {
+  auto& fields = top().ownFields;
+  if (!fields) fields = std::make_shared<std::vector<FieldKind>>();
+  fields->push_back(std::move(field));
 }
 
 void SceneChecker::finish() {
@@ -210,56 +275,17 @@ void SceneChecker::finish() {
 
 void SceneChecker::resolve(const Scope& scope) {
   for (const MissingUse& use : scope.missing) {
-    const auto later = scope.names.find(use.name);
-    if (later == scope.names.end())
+    const Definition* later = scope.names.find(use.name);
+    if (!later)
       findings_.error(use.where, "use-missing", fmt::format("there is no node named {}", excerpt(use.name)),
                       "DEF the node before it is used; upper and lower case count");
     else
       findings_.error(
           use.where, "use-forward",
-          fmt::format("{} is used before it is defined ({})", excerpt(use.name), place(later->second.where)),
+          fmt::format("{} is used before it is defined ({})", excerpt(use.name), place(later->where)),
           "define the node at its first use");
   }
   for (const Route& route : scope.routes) checkRoute(route, scope);
-}
-
-void SceneChecker::checkRoute(const Route& route, const Scope& scope) {
-  const FieldKind* ends[2] = {nullptr, nullptr};
-  for (const bool isSource : {true, false}) {
-    const std::string& name = isSource ? route.fromNode : route.toNode;
-    const std::string& field = isSource ? route.fromField : route.toField;
-    const auto found = scope.names.find(name);
-    if (found == scope.names.end()) {
-      findings_.error(route.where, "route-node", fmt::format("there is no node named {}", excerpt(name)),
-                      "routes join nodes that have a DEF");
-      continue;
-    }
-    const Definition& node = found->second;
-    if (std::tie(node.where.line, node.where.column) > std::tie(route.where.line, route.where.column))
-      findings_.error(route.where, "route-forward",
-                      fmt::format("{} is defined after the route ({})", excerpt(name), place(node.where)),
-                      "move the ROUTE behind both nodes");
-    if (!node.kind) continue;
-    const FieldKind* kind = routedField(*node.kind, field, isSource);
-    if (!kind) {
-      findings_.error(route.where, "route-field",
-                      fmt::format("{} {} has no field {}", node.type, excerpt(name), excerpt(field)),
-                      "see the fields of the node in the specification");
-      continue;
-    }
-    if (kind->access != Access::InputOutput &&
-        kind->access != (isSource ? Access::OutputOnly : Access::InputOnly))
-      findings_.error(route.where, "route-access",
-                      fmt::format("{}.{} {}", name, field, isSource ? "sends no events" : "takes no events"),
-                      isSource ? "route from an outputOnly or inputOutput field"
-                               : "route to an inputOnly or inputOutput field");
-    ends[isSource ? 0 : 1] = kind;
-  }
-  if (ends[0] && ends[1] && ends[0]->type != ends[1]->type)
-    findings_.error(route.where, "route-type",
-                    fmt::format("{}.{} is an {}, {}.{} an {}", route.fromNode, route.fromField, ends[0]->type,
-                                route.toNode, route.toField, ends[1]->type),
-                    "both ends of a route have the same type");
 }
 
 }  // namespace cloudgen::check

@@ -38,21 +38,25 @@ bool leavesFolder(const std::string& path) {
 
 }  // namespace
 
-void checkUrl(const std::vector<std::string>& strings, Position where, const fs::path& folder,
-              FindingList& findings) {
+void UrlRules::check(std::string_view value, Position where, FindingList& findings) {
+  constexpr std::size_t kRemembered = 1000;
+  if (sound_.contains(value)) return;
+  std::vector<std::string> strings;
+  splitStrings(value, strings);
   std::string absent;
-  bool someThere = false;
+  bool someThere = false, isOutside = false;
   for (const std::string& url : strings) {
     const std::string path = pathOf(url);
     if (url.starts_with("data:") || (path.empty() && url.starts_with('#'))) {
       someThere = true;
     } else if (hasScheme(url) || path.find('\0') != path.npos || leavesFolder(path)) {
+      isOutside = true;
       findings.warning(where, "url-outside",
                        excerpt(url) + " lies outside of the scene's folder; it was not opened",
                        "put the file beside the scene and name it relatively");
-    } else if (!folder.empty()) {
+    } else if (!folder_.empty()) {
       std::error_code error;
-      if (fs::is_regular_file(folder / path, error))
+      if (fs::is_regular_file(folder_ / path, error))
         someThere = true;
       else if (absent.empty())
         absent = url;
@@ -61,6 +65,8 @@ void checkUrl(const std::vector<std::string>& strings, Position where, const fs:
   if (!someThere && !absent.empty())
     findings.error(where, "url-missing", "there is no file " + excerpt(absent) + " beside the scene",
                    "copy it there, or correct the url (upper and lower case count)");
+  else if (!isOutside && value.size() < 1000 && sound_.size() < kRemembered)
+    sound_.emplace(value);
 }
 
 }  // namespace cloudgen::check

@@ -2,20 +2,19 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <string_view>
 
 #include "base/progress.hpp"
 #include "check/validation.hpp"
+#include "check/xsd/chosen_schema.hpp"
 
 namespace cloudgen::check {
 
-/// Validates ClassicVRML (.x3dv) or VRML97 (.wrl), told by the header line: form, known nodes and fields,
-/// values, and the same rules as for X3D. Prototypes are not read. The schema is not used. Throws InputError
-/// if the file cannot be read, InterruptedError on cancel.
-ValidationResult validateVrml(const std::filesystem::path& file,
-                              const std::optional<std::filesystem::path>& schema,
+/// Validates ClassicVRML (.x3dv) or VRML97 (.wrl), told by the header line, in one pass of constant memory:
+/// form, nodes, fields, values, prototypes, and the same rules as for X3D. The schema is not used. Throws
+/// InputError if the file cannot be read, InterruptedError on cancel.
+ValidationResult validateVrml(const std::filesystem::path& file, const ChosenSchema& schema,
                               const base::Progress& progress);
 
 /// The same for text in memory; relative urls start at `folder`, or are not looked for.

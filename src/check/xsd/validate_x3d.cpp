@@ -14,23 +14,10 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Elements that are no nodes.
-constexpr std::array<std::string_view, 17> kStatements{"X3D",
-                                                       "head",
-                                                       "component",
-                                                       "unit",
-                                                       "meta",
-                                                       "Scene",
-                                                       "ROUTE",
-                                                       "IMPORT",
-                                                       "EXPORT",
-                                                       "ProtoDeclare",
-                                                       "ExternProtoDeclare",
-                                                       "ProtoInterface",
-                                                       "ProtoBody",
-                                                       "field",
-                                                       "fieldValue",
-                                                       "IS",
-                                                       "connect"};
+constexpr std::array<std::string_view, 17> kStatements{
+    "X3D",     "head",           "component",         "unit",      "meta",  "Scene",      "ROUTE",
+    "IMPORT",  "EXPORT",         "ProtoDeclare",      "ProtoBody", "field", "fieldValue", "IS",
+    "connect", "ProtoInterface", "ExternProtoDeclare"};
 
 bool isStatement(std::string_view name) {
   return std::find(kStatements.begin(), kStatements.end(), name) != kStatements.end();
@@ -50,36 +37,73 @@ int versionFromText(std::string_view text) {
   return (text[0] - '0') * 10 + (text[2] - '0');
 }
 
+Access accessFromText(std::string_view text) {
+  if (text == "initializeOnly") return Access::InitializeOnly;
+  if (text == "inputOnly") return Access::InputOnly;
+  return text == "outputOnly" ? Access::OutputOnly : Access::InputOutput;
+}
+
 /// Tells the scene checker what the XML encoding (ISO/IEC 19776-1) means.
 class X3dReader {
  public:
   X3dReader(FindingList& findings, const fs::path& folder) : checker_(findings, folder) {}
 
   void start(std::string_view name, Position where, Attributes attributes) {
-    open_.push_back(isStatement(name) ? Kind::Statement : Kind::Node);
-    if (name == "ProtoBody") {
-      open_.back() = Kind::Scope;
-      checker_.beginScope();
+    const Kind parent = open_.empty() ? Kind::Statement : open_.back();
+    open_.push_back(kindOf(name));
+    switch (open_.back()) {
+      case Kind::Node:
+        return startNode(name, where, attributes);
+      case Kind::Body:
+        return checker_.beginBody();
+      case Kind::Anything:
+        startField(parent, attributes);
+        return checker_.beginAnything();
+      case Kind::Interface:
+        if (name != "ProtoInterface") checker_.prototype(value(attributes, "name"));
+        return;
+      case Kind::Statement:
+        return startStatement(name, where, attributes);
     }
-    if (open_.back() == Kind::Node)
-      startNode(name, where, attributes);
-    else if (open_.back() == Kind::Statement)
-      startStatement(name, where, attributes);
   }
 
   void end() {
     if (open_.back() == Kind::Node) checker_.end();
-    if (open_.back() == Kind::Scope) checker_.endScope();
+    if (open_.back() == Kind::Body) checker_.endBody();
+    if (open_.back() == Kind::Anything) checker_.endAnything();
     open_.pop_back();
   }
 
   void finish() { checker_.finish(); }
 
  private:
-  enum class Kind { Statement, Node, Scope };
+  enum class Kind { Statement, Node, Body, Anything, Interface };
+
+  static Kind kindOf(std::string_view name) {
+    if (!isStatement(name)) return Kind::Node;
+    if (name == "ProtoBody") return Kind::Body;
+    if (name == "field" || name == "fieldValue") return Kind::Anything;
+    const bool declares = name == "ProtoDeclare" || name == "ExternProtoDeclare" || name == "ProtoInterface";
+    return declares ? Kind::Interface : Kind::Statement;
+  }
+
+  /// A field that the document gives to a prototype, or to a script or shader.
+  void startField(Kind parent, Attributes attributes) {
+    if (parent != Kind::Interface && parent != Kind::Node) return;
+    FieldKind field{std::string(value(attributes, "name")),
+                    std::string(value(attributes, "type")),
+                    accessFromText(value(attributes, "accessType")),
+                    {}};
+    if (parent == Kind::Node)
+      checker_.ownField(std::move(field));
+    else
+      checker_.interfaceField(std::move(field));
+  }
 
   void startNode(std::string_view name, Position where, Attributes attributes) {
     checker_.begin(name, where, value(attributes, "containerField"));
+    const std::string_view use = value(attributes, "USE");
+    if (name == "ProtoInstance" && use.empty()) checker_.instanceOf(value(attributes, "name"), where);
     for (const XmlAttribute& attribute : attributes) {
       if (attribute.name == "DEF") checker_.define(attribute.value, attribute.where);
     }
@@ -126,14 +150,18 @@ void validate(ByteSource& source, const XmlSchema& schema, const fs::path& folde
 
 }  // namespace
 
-ValidationResult validateX3d(const fs::path& file, const std::optional<fs::path>& schema,
+const XmlSchema& ChosenSchema::compiled() const {
+  if (!schema_) schema_.emplace(file_ ? *file_ : base::dataDir() / "schemas" / "cloudgen-x3d.xsd");
+  return *schema_;
+}
+
+ValidationResult validateX3d(const fs::path& file, const ChosenSchema& schema,
                              const base::Progress& progress) {
   ByteSource source(file);
-  const XmlSchema compiled(schema ? *schema : base::dataDir() / "schemas" / "cloudgen-x3d.xsd");
   ValidationResult result;
   FindingList findings(file.string(), result);
   const fs::path folder = file.parent_path();
-  validate(source, compiled, folder.empty() ? fs::path(".") : folder, findings, progress);
+  validate(source, schema.compiled(), folder.empty() ? fs::path(".") : folder, findings, progress);
   return result;
 }
 

@@ -2,12 +2,11 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string_view>
 
 #include "base/progress.hpp"
 #include "check/validation.hpp"
-#include "check/xsd/xml_parser.hpp"
+#include "check/xsd/chosen_schema.hpp"
 
 namespace cloudgen::check {
 
@@ -15,8 +14,7 @@ namespace cloudgen::check {
 /// base::dataDir()/schemas/cloudgen-x3d.xsd, if none is given) and the rules that no schema can state, in one
 /// pass and constant memory. Opens nothing but the file and the schema. Throws InputError if one of them
 /// cannot be read, InterruptedError on cancel; whatever is wrong in the file is a finding.
-ValidationResult validateX3d(const std::filesystem::path& file,
-                             const std::optional<std::filesystem::path>& schema,
+ValidationResult validateX3d(const std::filesystem::path& file, const ChosenSchema& schema,
                              const base::Progress& progress);
 
 /// The same for a scene in memory. `name` stands in the findings; relative urls start at `folder`, or are not

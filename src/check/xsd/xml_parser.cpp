@@ -10,6 +10,8 @@
 #include <cstring>
 #include <exception>
 #include <mutex>
+#include <optional>
+#include <vector>
 
 #include "base/error.hpp"
 #include "check/xsd/xml_scanner.hpp"
@@ -46,8 +48,70 @@ std::string oneLine(const char* message) {
   return line;
 }
 
-/// One pass over one document: scanner, libxml2's parser and schema validator, and the visitor, in this
-/// order.
+/// libxml2's schema validator as something that is told of a document.
+class Validator {
+ public:
+  Validator(const XmlSchema& schema, xmlStructuredErrorFunc onProblem, void* data)
+      : values_(schema.values()),
+        context_(xmlSchemaNewValidCtxt(static_cast<xmlSchemaPtr>(const_cast<void*>(schema.handle())))) {
+    nothing_.initialized = XML_SAX2_MAGIC;
+    if (context_) xmlSchemaSetValidStructuredErrors(context_, onProblem, data);
+    if (context_) plug_ = xmlSchemaSAXPlug(context_, &handler_, &data_);
+    if (plug_) return;
+    xmlSchemaFreeValidCtxt(context_);
+    throw base::OutputError("validate", "memory ran out", "close other programs");
+  }
+  ~Validator() {
+    xmlSchemaSAXUnplug(plug_);
+    xmlSchemaFreeValidCtxt(context_);
+  }
+  Validator(const Validator&) = delete;
+  Validator& operator=(const Validator&) = delete;
+
+  void start(const xmlChar* name, const xmlChar* prefix, const xmlChar* uri, int namespaces,
+             const xmlChar** spaces, int count, int defaulted, const xmlChar** attributes) {
+    handler_->startElementNs(data_, name, prefix, uri, namespaces, spaces, count, defaulted,
+                             uri ? attributes : shortened(view(name), count, attributes));
+  }
+  void end(const xmlChar* name, const xmlChar* prefix, const xmlChar* uri) {
+    handler_->endElementNs(data_, name, prefix, uri);
+  }
+  void text(const xmlChar* text, int length) { handler_->characters(data_, text, length); }
+
+ private:
+  /// The attributes with those values that are known to fit replaced by short ones that fit too. An attribute
+  /// with a prefix (xsi:type) may change the type: then they are left alone.
+  const xmlChar** shortened(std::string_view element, int count, const xmlChar** attributes) {
+    const SchemaValues::Attributes* known = values_.of(element);
+    if (!known) return attributes;
+    shortened_.assign(attributes, attributes + 5 * count);
+    for (int i = 0; i < count; ++i) {
+      const xmlChar** attribute = shortened_.data() + 5 * i;
+      if (attribute[1]) return attributes;
+      const std::string_view name = view(attribute[0]);
+      const auto found = std::find_if(known->begin(), known->end(),
+                                      [&](const auto& candidate) { return candidate.name == name; });
+      const Pattern* pattern = found == known->end() ? nullptr : found->type->pattern();
+      const char* begin = reinterpret_cast<const char*>(attribute[3]);
+      if (!pattern || !pattern->accepts({begin, static_cast<std::size_t>(attribute[4] - attribute[3])}))
+        continue;
+      const std::string& text = pattern->shortest();
+      attribute[3] = reinterpret_cast<const xmlChar*>(text.data());
+      attribute[4] = attribute[3] + text.size();
+    }
+    return shortened_.data();
+  }
+
+  const SchemaValues& values_;
+  xmlSchemaValidCtxtPtr context_;
+  xmlSAXHandler nothing_{};
+  xmlSAXHandlerPtr handler_ = &nothing_;
+  void* data_ = this;
+  xmlSchemaSAXPlugPtr plug_ = nullptr;
+  std::vector<const xmlChar*> shortened_;
+};
+
+/// One pass over one document: scanner, libxml2's parser, the visitor and the validator, in this order.
 struct Pass {
   ByteSource& source;
   const XmlVisitor& visitor;
@@ -60,6 +124,7 @@ struct Pass {
   std::vector<XmlAttribute> attributes{};
   std::vector<std::string> prefixed{};
   xmlParserCtxtPtr parser = nullptr;
+  std::optional<Validator> validator{};
   std::exception_ptr failure{};
   bool stopped = false;
 
@@ -98,13 +163,7 @@ struct Pass {
 
   /// The next start tag has been parsed: the scanner, always ahead, knows where it stands.
   void takeTag() {
-    auto& tags = scanner.tags();
-    if (tags.empty()) {
-      tag = {parserPosition(), {}};
-      return;
-    }
-    tag = std::move(tags.front());
-    tags.pop_front();
+    if (!scanner.take(tag)) tag = {parserPosition(), {}};
   }
 
   Position attributePosition(std::string_view name) const {
@@ -184,16 +243,25 @@ int readChunk(void* data, char* buffer, int length) {
   return count;
 }
 
-void onStart(void* data, const xmlChar* name, const xmlChar*, const xmlChar*, int, const xmlChar**, int count,
-             int, const xmlChar** values) {
+void onStart(void* data, const xmlChar* name, const xmlChar* prefix, const xmlChar* uri, int namespaces,
+             const xmlChar** spaces, int count, int defaulted, const xmlChar** attributes) {
   guardedEvent(data, [&](Pass& pass) {
-    if (!pass.stopped) pass.start(name, count, values);
+    if (!pass.stopped) pass.start(name, count, attributes);
+    if (pass.validator && !pass.stopped)
+      pass.validator->start(name, prefix, uri, namespaces, spaces, count, defaulted, attributes);
   });
 }
 
-void onEnd(void* data, const xmlChar*, const xmlChar*, const xmlChar*) {
-  guardedEvent(data, [](Pass& pass) {
+void onEnd(void* data, const xmlChar* name, const xmlChar* prefix, const xmlChar* uri) {
+  guardedEvent(data, [&](Pass& pass) {
     if (!pass.stopped) pass.visitor.end();
+    if (pass.validator && !pass.stopped) pass.validator->end(name, prefix, uri);
+  });
+}
+
+void onText(void* data, const xmlChar* text, int length) {
+  guardedEvent(data, [&](Pass& pass) {
+    if (pass.validator && !pass.stopped) pass.validator->text(text, length);
   });
 }
 
@@ -212,30 +280,13 @@ struct Freed {
     if (parser->myDoc) xmlFreeDoc(parser->myDoc);
     xmlFreeParserCtxt(parser);
   }
-  void operator()(xmlSchemaValidCtxtPtr validator) const { xmlSchemaFreeValidCtxt(validator); }
-};
-
-/// Puts the validator between the parser and its handler while it lives.
-class Plug {
- public:
-  Plug(xmlSchemaValidCtxtPtr validator, xmlParserCtxtPtr parser)
-      : plug_(xmlSchemaSAXPlug(validator, &parser->sax, &parser->userData)) {
-    if (!plug_) throw base::OutputError("validate", "memory ran out", "close other programs");
-    parser->sax->serror = onXmlProblem;
-  }
-  ~Plug() { xmlSchemaSAXUnplug(plug_); }
-  Plug(const Plug&) = delete;
-  Plug& operator=(const Plug&) = delete;
-
- private:
-  xmlSchemaSAXPlugPtr plug_;
 };
 
 void ignoreMessage(void*, xmlErrorPtr) {}
 
 }  // namespace
 
-XmlSchema::XmlSchema(const std::filesystem::path& file) {
+XmlSchema::XmlSchema(const std::filesystem::path& file) : values_(file) {
   initOnce();
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error))
@@ -255,31 +306,28 @@ XmlSchema::XmlSchema(const std::filesystem::path& file) {
 
 namespace {
 
-/// With a validator between parser and visitor, or with none.
-void parse(ByteSource& source, xmlSchemaValidCtxtPtr validator, const XmlVisitor& visitor,
-           FindingList& findings, const base::Progress& progress) {
+/// With a schema, or with none.
+void parse(ByteSource& source, const XmlSchema* schema, const XmlVisitor& visitor, FindingList& findings,
+           const base::Progress& progress) {
+  initOnce();
   Pass pass{source, visitor, findings, progress};
+  if (schema) pass.validator.emplace(*schema, onSchemaProblem, &pass);
   xmlSAXHandler handler{};
   handler.initialized = XML_SAX2_MAGIC;
   handler.startElementNs = onStart;
   handler.endElementNs = onEnd;
+  handler.characters = handler.ignorableWhitespace = handler.cdataBlock = onText;
+  handler.serror = onXmlProblem;
   const std::unique_ptr<xmlParserCtxt, Freed> parser(
       xmlCreateIOParserCtxt(&handler, &pass, readChunk, nullptr, &pass, XML_CHAR_ENCODING_NONE));
   if (!parser) throw base::OutputError("X3D", "memory ran out", "close other programs");
   // The scanner has its own limits and refuses entities. libxml2's would also stop at sound scenes: it counts
   // 10 MB from where it last tidied its buffer, which it may not do for several megabytes of long values.
   xmlCtxtUseOptions(parser.get(), XML_PARSE_NONET | XML_PARSE_HUGE);
-  // xmlCtxtUseOptions and the plug copy handlers about: the pass is found again through the parser itself.
+  // xmlCtxtUseOptions copies handlers about: the pass is found again through the parser itself.
   parser->_private = &pass;
   pass.parser = parser.get();
-  if (validator) {
-    xmlSchemaSetValidStructuredErrors(validator, onSchemaProblem, &pass);
-    const Plug plug(validator, parser.get());
-    xmlParseDocument(parser.get());
-  } else {
-    parser->sax->serror = onXmlProblem;
-    xmlParseDocument(parser.get());
-  }
+  xmlParseDocument(parser.get());
   if (pass.failure) std::rethrow_exception(pass.failure);
   findings.result().bytes = pass.given;
   if (!parser->wellFormed && !pass.stopped)
@@ -291,16 +339,11 @@ void parse(ByteSource& source, xmlSchemaValidCtxtPtr validator, const XmlVisitor
 
 void parseXml(ByteSource& source, const XmlSchema& schema, const XmlVisitor& visitor, FindingList& findings,
               const base::Progress& progress) {
-  initOnce();
-  const std::unique_ptr<xmlSchemaValidCtxt, Freed> validator(
-      xmlSchemaNewValidCtxt(static_cast<xmlSchemaPtr>(const_cast<void*>(schema.handle()))));
-  if (!validator) throw base::OutputError("validate", "memory ran out", "close other programs");
-  parse(source, validator.get(), visitor, findings, progress);
+  parse(source, &schema, visitor, findings, progress);
 }
 
 void parseXml(ByteSource& source, const XmlVisitor& visitor, FindingList& findings,
               const base::Progress& progress) {
-  initOnce();
   parse(source, nullptr, visitor, findings, progress);
 }
 

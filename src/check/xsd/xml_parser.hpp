@@ -10,6 +10,7 @@
 #include "base/progress.hpp"
 #include "check/validation.hpp"
 #include "check/xsd/byte_source.hpp"
+#include "check/xsd/schema_values.hpp"
 
 namespace cloudgen::check {
 
@@ -19,8 +20,10 @@ class XmlSchema {
   /// Throws InputError if the file is missing or is no schema.
   explicit XmlSchema(const std::filesystem::path& file);
   const void* handle() const { return schema_.get(); }
+  const SchemaValues& values() const { return values_; }
 
  private:
+  SchemaValues values_;
   std::shared_ptr<void> schema_;
 };
 

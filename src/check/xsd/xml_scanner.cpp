@@ -13,18 +13,27 @@ bool isSpace(char character) {
   return character == ' ' || character == '\n' || character == '\t' || character == '\r';
 }
 
-void advance(Position& place, std::string_view run) {
+}  // namespace
+
+/// Goes over bytes that end nothing.
+void XmlScanner::pass(std::string_view run) {
   const char* from = run.data();
   const char* end = from + run.size();
-  while (const void* newline = std::memchr(from, '\n', static_cast<std::size_t>(end - from))) {
-    ++place.line, place.column = 1;
+  while (const void* newline =
+             from == end ? nullptr : std::memchr(from, '\n', static_cast<std::size_t>(end - from))) {
     from = static_cast<const char*>(newline) + 1;
-    if (from == end) return;
+    ++line_, lineStart_ = offset_ + static_cast<std::uint64_t>(from - run.data());
   }
-  place.column += static_cast<std::uint64_t>(end - from);
+  offset_ += run.size();
 }
 
-}  // namespace
+bool XmlScanner::take(TagPosition& tag) {
+  if (tags_.empty()) return false;
+  std::swap(tag, tags_.front());
+  spare_.push_back(std::move(tags_.front()));
+  tags_.pop_front();
+  return true;
+}
 
 std::optional<Refusal> XmlScanner::scan(std::string_view chunk) {
   if (first_ && !chunk.empty()) {
@@ -32,7 +41,7 @@ std::optional<Refusal> XmlScanner::scan(std::string_view chunk) {
     if (chunk.substr(0, 4).find('\0') != chunk.npos || chunk.starts_with("\xff\xfe") ||
         chunk.starts_with("\xfe\xff"))
       refuse("xml-encoding", "the text is UTF-16 or UTF-32, or no text", "save the scene as UTF-8");
-    if (chunk.starts_with("\xef\xbb\xbf")) chunk.remove_prefix(3);
+    if (chunk.starts_with("\xef\xbb\xbf")) chunk.remove_prefix(3);  // a byte order mark takes no column
   }
   while (!chunk.empty() && !refusal_) {
     std::size_t bulk = 0;  // bytes up to the one that ends a value or a run of text
@@ -40,7 +49,7 @@ std::optional<Refusal> XmlScanner::scan(std::string_view chunk) {
     if (state_ == State::Text) bulk = std::min(chunk.find('<'), chunk.size());
     if (bulk > 0) {
       run_ += bulk;
-      advance(here_, chunk.substr(0, bulk));
+      pass(chunk.substr(0, bulk));
       chunk.remove_prefix(bulk);
       if (state_ == State::Value && run_ > limits_.attributeBytes)
         refuse("xml-limit",
@@ -52,8 +61,10 @@ std::optional<Refusal> XmlScanner::scan(std::string_view chunk) {
                "X3D keeps its data in attributes");
       continue;
     }
-    step(chunk.front());
-    advance(here_, chunk.substr(0, 1));
+    const char character = chunk.front();
+    step(character);
+    ++offset_;
+    if (character == '\n') ++line_, lineStart_ = offset_;
     chunk.remove_prefix(1);
   }
   return refusal_;
@@ -77,13 +88,14 @@ void XmlScanner::remember(char character) {
 void XmlScanner::step(char character) {
   switch (state_) {
     case State::Text:
-      markup_ = here_;
+      markup_ = here();
       return startMarkup(State::Open);
     case State::Open:
       if (character == '!') return startMarkup(State::Bang);
       if (character == '?') return instruction_.clear(), startMarkup(State::Instruction);
       if (character == '/') return startMarkup(State::EndTag);
-      tag_ = {markup_, {}};
+      tag_.where = markup_;
+      tag_.attributes.clear();
       slash_ = false;
       return startMarkup(State::Name);
     case State::Name:
@@ -145,7 +157,7 @@ void XmlScanner::stepInTag(char character) {
   }
   slash_ = character == '/';
   if (slash_ || isSpace(character)) return;
-  tag_.attributes.push_back({std::string(1, character), here_});
+  tag_.attributes.push_back({std::string(1, character), here()});
   state_ = State::AttributeName;
   if (static_cast<int>(tag_.attributes.size()) > limits_.attributes)
     refuse("xml-limit", fmt::format("an element has over {} attributes", limits_.attributes),
@@ -158,6 +170,7 @@ void XmlScanner::finishTag() {
            "flatten the scene: viewers cannot open this");
   tags_.push_back(std::move(tag_));
   tag_ = {};
+  if (!spare_.empty()) tag_ = std::move(spare_.back()), spare_.pop_back();
   startMarkup(State::Text);
 }
 
@@ -199,7 +212,7 @@ void XmlScanner::checkEncoding() {
 
 void XmlScanner::refuse(std::string_view rule, std::string message, std::string hint) {
   if (!refusal_)
-    refusal_ = Refusal{state_ == State::Value ? tag_.attributes.back().where : here_, rule,
+    refusal_ = Refusal{state_ == State::Value ? tag_.attributes.back().where : here(), rule,
                        std::move(message), std::move(hint)};
 }
 

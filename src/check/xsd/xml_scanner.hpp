@@ -47,8 +47,9 @@ class XmlScanner {
   /// Nothing, or why the document is refused; after that no more chunks may be given.
   std::optional<Refusal> scan(std::string_view chunk);
 
-  /// Start tags that are complete and not yet taken.
-  std::deque<TagPosition>& tags() { return tags_; }
+  /// The first start tag that is complete and not yet taken; false if there is none. What `tag` held is used
+  /// again.
+  bool take(TagPosition& tag);
 
  private:
   enum class State {
@@ -80,9 +81,14 @@ class XmlScanner {
 
   XmlLimits limits_;
   State state_ = State::Text;
-  Position here_{1, 1}, markup_;
+  Position here() const { return {line_, offset_ - lineStart_ + 1}; }
+  void pass(std::string_view run);
+
+  std::uint64_t offset_ = 0, line_ = 1, lineStart_ = 0;
+  Position markup_;
   TagPosition tag_;
   std::deque<TagPosition> tags_;
+  std::vector<TagPosition> spare_;  ///< taken, whose memory is used again
   std::string name_, tail_, instruction_;
   std::uint64_t run_ = 0;  ///< bytes of the current text, comment, value or name
   int depth_ = 0;
