@@ -37,20 +37,25 @@ float dot(const Harmonics& a, const Harmonics& b) {
 HarmonicFit::HarmonicFit(std::span<const glm::vec3> directions) {
   assert(directions.size() >= kHarmonics);
   for (const glm::vec3& direction : directions) columns_.push_back(harmonicsOf(direction));
-  // Normal equations by Cholesky: on an even lattice their matrix is close to the identity.
+  // A sun far under the horizon lights no cloud: less weight for what it would do.
+  std::vector<double> weights;
+  for (const glm::vec3& direction : directions) weights.push_back(direction.y < -0.25f ? 0.3 : 1.0);
+  // Normal equations by Cholesky.
   constexpr std::size_t n = kHarmonics;
   std::array<std::array<double, n>, n> lower{};
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j <= i; ++j) {
       double sum = 0;
-      for (const Harmonics& row : columns_) sum += static_cast<double>(row[i]) * row[j];
+      for (std::size_t d = 0; d < columns_.size(); ++d)
+        sum += weights[d] * static_cast<double>(columns_[d][i]) * columns_[d][j];
       for (std::size_t k = 0; k < j; ++k) sum -= lower[i][k] * lower[j][k];
       lower[i][j] = i == j ? std::sqrt(sum) : sum / lower[j][j];
     }
-  for (Harmonics& column : columns_) {
+  for (std::size_t d = 0; d < columns_.size(); ++d) {
+    Harmonics& column = columns_[d];
     std::array<double, n> solved{};
     for (std::size_t i = 0; i < n; ++i) {
-      double sum = column[i];
+      double sum = weights[d] * column[i];
       for (std::size_t k = 0; k < i; ++k) sum -= lower[i][k] * solved[k];
       solved[i] = sum / lower[i][i];
     }

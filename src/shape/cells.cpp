@@ -29,6 +29,10 @@ class CellLayer {
     for (int row = -kRim; row < across + kRim; ++row)
       for (int column = -kRim; column < across + kRim; ++column)
         cells_.push_back(cellAt(row, column, recipe, request, stream));
+    // However few the cells, there is cloud.
+    if (std::ranges::any_of(cells_, [](const Cell& cell) { return cell.weight > 0; })) return;
+    const auto fromMiddle = [](const Cell& cell) { return std::hypot(cell.x, cell.z); };
+    std::ranges::min_element(cells_, {}, fromMiddle)->weight = 1;
   }
 
   const std::vector<Cell>& cells() const { return cells_; }
@@ -67,8 +71,8 @@ class CellLayer {
     cell.x = (column + 0.5) * pitch_ - half + 0.34 * order * pitch_ * stream.gaussian();
     cell.z = (row + 0.5 + (column & 1 ? 0.5 : 0.0)) * pitch_ - half + 0.3 * pitch_ * stream.gaussian();
     // Rows meander, so that they do not look ruled.
-    cell.x += 0.9 * pitch_ *
-              base::fractalNoise({cell.x / (7.0 * pitch_), 0.3, cell.z / (5.0 * pitch_)}, 2, seed_);
+    cell.x +=
+        0.9 * pitch_ * base::fractalNoise({cell.x / (7.0 * pitch_), 0.3, cell.z / (5.0 * pitch_)}, 2, seed_);
     const double ragged =
         base::fractalNoise({cell.x / (4.5 * pitch_), 1.7, cell.z / (4.5 * pitch_)}, 3, seed_ + 5);
     const double q = std::hypot(cell.x, cell.z) / half;
@@ -77,8 +81,8 @@ class CellLayer {
     cell.turret = stream.uniform() < recipe.turrets;
     const bool clear = fade < 0.04 || vigour * fade < 0.3;
     cell.weight = clear ? 0 : fade;
-    cell.gap = std::clamp(1.0 - 2.0 * recipe.sectionRadius * std::clamp(vigour, 0.6, 1.2) * (0.7 + 0.3 * fade),
-                          0.03, 0.75);
+    cell.gap = std::clamp(
+        1.0 - 2.0 * recipe.sectionRadius * std::clamp(vigour, 0.6, 1.2) * (0.7 + 0.3 * fade), 0.03, 0.75);
     const double full = recipe.turrets > 0 && !cell.turret ? 0.5 : 1.0;
     cell.height = full * request.depthMeters * std::clamp(0.4 + 0.6 * vigour, 0.3, 1.0);
     return cell;
@@ -123,7 +127,8 @@ Puff puffIn(const CellLayer& layer, std::size_t index, const Recipe& recipe, con
   Puff puff;
   const double size = sigma * stream.uniform(0.75, 1.25) * (0.7 + 0.3 * level);
   double y = std::max(low, low + (top - low) * level);
-  const double sigmaY = std::min({size * recipe.flattening, 0.25 * cell.height, 0.6 * y + 0.03 * request.depthMeters});
+  const double sigmaY =
+      std::min({size * recipe.flattening, 0.25 * cell.height, 0.6 * y + 0.03 * request.depthMeters});
   y = std::min(y, request.depthMeters - 0.8 * sigmaY);
   const double narrower = cell.turret ? 1.0 - 0.65 * y / cell.height : 1.0;
   puff.center = glm::dvec3(cell.x + (x - cell.x) * narrower, y, cell.z + (z - cell.z) * narrower);
@@ -155,7 +160,8 @@ RawShape shapeCells(const Recipe& recipe, const ShapeRequest& request) {
     owed += request.puffs * area / totalArea;
     const int share = std::max(1, static_cast<int>(owed));
     owed -= share;
-    const double sigma = std::min(0.75 * recipe.billboardSize * std::sqrt(area), 0.7 * std::sqrt(area / share));
+    const double sigma =
+        std::min(0.75 * recipe.billboardSize * std::sqrt(area), 0.7 * std::sqrt(area / share));
     for (int i = 0; i < share; ++i)
       shape.puffs.push_back(puffIn(layer, index, recipe, request, sigma, fills));
   }

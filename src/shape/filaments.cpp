@@ -21,7 +21,8 @@ struct Thread {
   double strength = 1;
 
   glm::dvec3 at(double t) const {
-    const double back = length * (std::pow(t, 1.35) - hook * std::sin(std::numbers::pi * std::min(1.0, 4 * t)));
+    const double back =
+        length * (std::pow(t, 1.35) - hook * std::sin(std::numbers::pi * std::min(1.0, 4 * t)));
     const double side = 0.5 * curl * length * t * t;
     return {head.x - back * std::cos(heading) - side * std::sin(heading), head.y - fall * std::pow(t, 0.7),
             head.z - back * std::sin(heading) + side * std::cos(heading)};
@@ -38,9 +39,10 @@ void addThread(std::vector<Puff>& puffs, const Thread& thread, const ShapeReques
                      behind = thread.at(t + 0.5 / count);
     const double step = glm::length(behind - ahead), spread = thread.thickness * (0.35 + 1.1 * t);
     Puff puff;
-    puff.center = here + 0.5 * spread *
-                             glm::dvec3(stream.gaussian() * std::sin(thread.heading), 0.25 * stream.gaussian(),
-                                        stream.gaussian() * std::cos(thread.heading));
+    puff.center =
+        here + 0.5 * spread *
+                   glm::dvec3(stream.gaussian() * std::sin(thread.heading), 0.25 * stream.gaussian(),
+                              stream.gaussian() * std::cos(thread.heading));
     puff.sigma = glm::vec3(std::max(0.75 * step, 0.8 * spread), std::max(8.0, 0.22 * spread),
                            std::max(12.0, 0.3 * spread));
     puff.rotation = turnedAlong(glm::normalize(ahead - behind));
@@ -86,13 +88,15 @@ void addStrands(std::vector<Puff>& puffs, const ShapeRequest& request, std::uint
   const int count = std::clamp(request.puffs / 4, 1, 60);
   base::RandomStream stream(request.seed, request.variant, base::Purpose::ShapeDetail);
   // Strands side by side fill the width of one soft blob, or nearly.
-  const double breadth = 0.29 * width * std::max(0.15, 1.3 / std::sqrt(static_cast<double>(count)));
+  const double breadth = 0.42 * width * std::max(0.15, 1.3 / std::sqrt(static_cast<double>(count)));
   const double turning = stream.uniform(-0.9, 0.9);
   for (int i = 0; i < count; ++i) {
-    const double x = 0.2 * width * stream.gaussian(), z = 0.28 * width * stream.gaussian();
+    const double x = 0.2 * width * stream.gaussian(), z = 0.37 * width * stream.gaussian();
     Puff puff;
-    puff.center = glm::vec3(x + 0.12 * width, depth * stream.uniform(0.35, 0.65), z + turning * x * x / width);
-    puff.sigma = glm::vec3(0.24 * width * stream.uniform(0.6, 1.2), 0.2 * depth, breadth * stream.uniform(0.8, 1.2));
+    puff.center =
+        glm::vec3(x + 0.12 * width, depth * stream.uniform(0.35, 0.65), z + turning * x * x / width);
+    puff.sigma =
+        glm::vec3(0.24 * width * stream.uniform(0.6, 1.2), 0.2 * depth, breadth * stream.uniform(0.8, 1.2));
     puff.rotation = turnedAlong({1, 0, 2 * turning * x / width});
     puff.extinctionPerMeter = static_cast<float>(stream.uniform(0.75, 1.0));
     puff.section = section;
@@ -135,7 +139,8 @@ RawShape shapeFilaments(const Recipe& recipe, const ShapeRequest& request) {
       thread.curl += 0.12 * fills.gaussian();
       thread.fall *= fills.uniform(0.7, 1.0);
       thread.thickness = breadth * recipe.sectionRadius * width * fills.uniform(0.5, 1.3);
-      thread.strength = std::max(0.3, std::exp(-0.5 * (aside / band) * (aside / band))) * fills.uniform(0.5, 1.0);
+      thread.strength =
+          std::max(0.3, std::exp(-0.5 * (aside / band) * (aside / band))) * fills.uniform(0.5, 1.0);
       addThread(shape.puffs, thread, request, perThread, section, fills);
     }
     addHaze(shape.puffs, middle, band, depth, hazeShare, section);

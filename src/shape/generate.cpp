@@ -70,7 +70,7 @@ void addEven(RawShape& shape, const Recipe& recipe, const ShapeRequest& request,
 
 RawShape rawShape(const Recipe& recipe, const ShapeRequest& request) {
   constexpr int kPuffsForTexture = 40;
-  constexpr double kEvenTexture = 0.45, kClosedTexture = 0.75;
+  constexpr double kEvenTexture = 0.3, kClosedTexture = 0.75;
   RawShape shape;
   // What is even shows what is usual for the genus only if there are puffs enough for it to be seen.
   if (!request.even || request.puffs >= kPuffsForTexture) shape = texturedShape(recipe, request);

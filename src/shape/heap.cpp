@@ -11,7 +11,8 @@ namespace cloudgen::shape {
 namespace {
 
 constexpr double kFlatAspect = 0.3;
-constexpr double kSunk = 0.1;  ///< of a foot's radius: its middle above the base, which cuts it where it is widest
+constexpr double kSunk =
+    0.1;  ///< of a foot's radius: its middle above the base, which cuts it where it is widest
 
 /// Where a heap stands, how large it is and of how many turrets.
 struct Heap {
@@ -95,8 +96,7 @@ RawShape shapeHeap(const Recipe& recipe, const ShapeRequest& request) {
     puffs = std::max(puffs, kPuffsOfHeap * heaps);
   } else {
     const int affordable = std::max(3, request.puffs / std::max(1, recipe.billboards));
-    addHeap(lobes,
-            {0, 0, request.widthMeters, request.depthMeters, std::min(recipe.sections, affordable), 0},
+    addHeap(lobes, {0, 0, request.widthMeters, request.depthMeters, std::min(recipe.sections, affordable), 0},
             recipe, request.tilt, places);
   }
   if (puffs >= 12 * static_cast<int>(lobes.size())) growLobes(lobes, 1, 9, 0.46, places);

@@ -78,8 +78,10 @@ void fillLobes(std::vector<Puff>& puffs, const std::vector<Lobe>& lobes, const R
     // A puff covers its share of the lobe's surface, but not more than the recipe's size.
     const double spacing = lobe.radius * std::sqrt(4.0 * std::numbers::pi / std::max(1, share));
     // Few are large and stand further in, so that the lobe ends where it ends with many.
-    const double size = std::min(
-        lobe.radius * std::max(1.25 * recipe.billboardSize, 0.4 / std::cbrt(static_cast<double>(std::max(1, share)))), 0.62 * spacing);
+    const double size =
+        std::min(lobe.radius * std::max(1.25 * recipe.billboardSize,
+                                        0.4 / std::cbrt(static_cast<double>(std::max(1, share)))),
+                 0.62 * spacing);
     const double shell = std::max(0.2, 1.0 - 1.3 * size / lobe.radius);
     for (int i = 0; i < share; ++i) {
       const bool surface = stream.uniform() < (lobe.level == finest ? 0.88 : 0.7);
@@ -88,7 +90,8 @@ void fillLobes(std::vector<Puff>& puffs, const std::vector<Lobe>& lobes, const R
         glm::dvec3 direction = stream.direction();
         if (recipe.billboardPlacement.system == CoordinateSystem::HalfSpherical)
           direction.y = std::abs(direction.y);
-        const double depth = surface ? shell * stream.uniform(0.92, 1.08) : shell * std::cbrt(stream.uniform());
+        const double depth =
+            surface ? shell * stream.uniform(0.92, 1.08) : shell * std::cbrt(stream.uniform());
         // Billows in the surface: round heaps between sharp creases.
         const glm::dvec3 onSurface = lobe.center + direction * lobe.radius;
         const double bulge = 0.88 + 0.75 * (base::billowNoise(onSurface * noiseScale * 2.1, 4, 17) - 0.70);

@@ -37,7 +37,8 @@ void addColumn(std::vector<Lobe>& lobes, const Recipe& recipe, const ShapeReques
       Lobe lobe;
       lobe.radius = recipe.sectionRadius * width * stream.uniform(0.4, 0.85) * (column / (0.12 * width));
       const double out = column - 0.55 * lobe.radius * stream.uniform(0.4, 1.3);
-      const double y = std::max(0.3 * lobe.radius, (share + stream.uniform(-0.5, 0.5) * kTop / rings) * depth);
+      const double y =
+          std::max(0.3 * lobe.radius, (share + stream.uniform(-0.5, 0.5) * kTop / rings) * depth);
       lobe.center = {axis(y) + out * std::cos(angle), y, out * std::sin(angle)};
       lobe.section = section;
       lobe.facing = glm::normalize(glm::dvec3(std::cos(angle), 0.7, std::sin(angle)));
@@ -62,7 +63,8 @@ void addFlankingLine(std::vector<Lobe>& lobes, const ShapeRequest& request, int 
                    out * std::sin(heading) + 0.03 * width * stream.uniform(-1, 1)};
     foot.section = 8;
     foot.facing = glm::normalize(glm::dvec3(-0.4, 1, 0.4 * std::sin(heading)));
-    raiseTurret(lobes, foot, depth * (0.5 - 0.37 * along) * stream.uniform(0.8, 1.1), 0.3 * request.tilt, stream);
+    raiseTurret(lobes, foot, depth * (0.5 - 0.37 * along) * stream.uniform(0.8, 1.1), 0.3 * request.tilt,
+                stream);
   }
 }
 
@@ -90,7 +92,8 @@ void addAnvil(std::vector<Puff>& puffs, const ShapeRequest& request, int count, 
     const double along = -std::log(1.0 - stream.uniform() * (1.0 - std::exp(-kThinning))) / kThinning;
     const double across = stream.uniform(-1, 1), larger = 1.0 + 3.0 * along;
     // How far a fibre reaches, and how dense it is, goes by where it starts.
-    const double reach = 0.85 - 0.35 * across * across + 0.7 * base::fractalNoise({5.0 * across, 0.7, 0.5}, 3, noiseSeed);
+    const double reach =
+        0.85 - 0.35 * across * across + 0.7 * base::fractalNoise({5.0 * across, 0.7, 0.5}, 3, noiseSeed);
     const double streak = base::fractalNoise({11.0 * across, 1.6 * along, 3.1}, 3, noiseSeed + 1);
     const double rim = 1.0 - base::smoothStep(0.4, 1.0, std::abs(across) + 0.4 * streak);
     const double thin = 1.0 - base::smoothStep(reach - 0.7, reach + 0.15, along);
@@ -101,12 +104,14 @@ void addAnvil(std::vector<Puff>& puffs, const ShapeRequest& request, int count, 
     const double y = depth * (lower + (upper - lower) * stream.uniform());
     Puff puff;
     puff.center = glm::dvec3(start + along * kAnvilLength * width, y, across * half * width);
-    puff.sigma = glm::vec3(std::min(1.1 * spacing * larger, 2 * widest), std::max(0.16 * (upper - lower) * depth, 20.0),
+    puff.sigma = glm::vec3(std::min(1.1 * spacing * larger, 2 * widest),
+                           std::max(0.16 * (upper - lower) * depth, 20.0),
                            std::min(0.5 * spacing * larger, widest) * stream.uniform(0.7, 1.3));
     const double diverging = across * 0.13 / std::sqrt(along + 0.05) / kAnvilLength;
     puff.rotation = turnedAlong({1, 0.03 * stream.gaussian(), diverging});
-    puff.extinctionPerMeter = static_cast<float>(1.3 * std::exp(-2.8 * along) * thin * rim * upwind *
-                                                 std::clamp(0.95 + (1.2 + 2.5 * along) * streak, 0.03, 2.2) / puff.sigma.y);
+    puff.extinctionPerMeter =
+        static_cast<float>(1.3 * std::exp(-2.8 * along) * thin * rim * upwind *
+                           std::clamp(0.95 + (1.2 + 2.5 * along) * streak, 0.03, 2.2) / puff.sigma.y);
     puff.section = 9;
     puffs.push_back(puff);
   }
@@ -120,9 +125,9 @@ void addFallstreaks(std::vector<Puff>& puffs, const ShapeRequest& request, int c
     const double along = 0.8 * stream.uniform() * stream.uniform(), across = stream.uniform(-0.8, 0.8);
     const double fall = depth * stream.uniform(0.02, 0.07);
     Puff puff;
-    puff.center = glm::dvec3((kTrunk - kUpwindReach + kAnvilLength * along) * width + 0.3 * request.tilt * depth,
-                             anvilUnderside(along, across) * depth - 0.6 * fall,
-                             across * anvilHalfBreadth(along) * width);
+    puff.center = glm::dvec3(
+        (kTrunk - kUpwindReach + kAnvilLength * along) * width + 0.3 * request.tilt * depth,
+        anvilUnderside(along, across) * depth - 0.6 * fall, across * anvilHalfBreadth(along) * width);
     puff.sigma = glm::vec3(fall, 0.25 * fall, 0.006 * width);
     puff.rotation = turnedAlong({1, 0.7, 0});
     puff.extinctionPerMeter = static_cast<float>(0.25 * std::exp(-4.0 * along) / puff.sigma.y);

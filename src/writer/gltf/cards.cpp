@@ -116,7 +116,8 @@ nlohmann::json cloudExtras(const scene::Scene& scene, const scene::Archetype& ar
 
 /// The ground as a mesh; its colours hold sun, height and shadows, as it is unlit.
 void addGround(GlbFile& file, const scene::Scene& scene) {
-  const base::HeightField terrain = scene.terrain.empty() ? scene::flatGround(scene, kGroundCells) : scene.terrain;
+  const base::HeightField terrain =
+      scene.terrain.empty() ? scene::flatGround(scene, kGroundCells) : scene.terrain;
   const glm::dvec2 middle =
       glm::round(terrain.origin + 0.5 * terrain.step * glm::dvec2(terrain.columns - 1, terrain.rows - 1));
   std::vector<float> positions, normals;
@@ -133,10 +134,10 @@ void addGround(GlbFile& file, const scene::Scene& scene) {
         colors.push_back(static_cast<std::uint16_t>(std::lround(65535 * glm::clamp(color[i], 0.0f, 1.0f))));
     }
   const int mesh = file.addMesh("ground", {.attributes = {{"POSITION", file.addFloats(3, positions, true)},
-                                                           {"NORMAL", file.addFloats(3, normals)},
-                                                           {"COLOR_0", file.addUnitShorts(colors)}},
-                                            .indices = file.addIndices(base::trianglesOf(terrain)),
-                                            .material = file.addPlainMaterial("ground", glm::vec3(1))});
+                                                          {"NORMAL", file.addFloats(3, normals)},
+                                                          {"COLOR_0", file.addUnitShorts(colors)}},
+                                           .indices = file.addIndices(base::trianglesOf(terrain)),
+                                           .material = file.addPlainMaterial("ground", glm::vec3(1))});
   file.addNode({.name = "ground", .mesh = mesh, .translation = {middle.x, 0, middle.y}});
 }
 

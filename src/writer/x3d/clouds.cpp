@@ -187,7 +187,8 @@ class CloudWalk {
   /// The puffs of a shaded archetype, turned by its yaw.
   std::vector<LitPuff> turned(const Shaded& shaded, std::span<const shape::Puff> puffs,
                               std::span<const light::PuffLight> lights) const {
-    const glm::quat turn = glm::angleAxis(scene::yawRadians(scene_.lit[shaded.lit].yawStep), glm::vec3(0, 1, 0));
+    const glm::quat turn =
+        glm::angleAxis(scene::yawRadians(scene_.lit[shaded.lit].yawStep), glm::vec3(0, 1, 0));
     const glm::vec3 dimming =
         light::dimming(1 - static_cast<float>(shaded.shade) / (kShades - 1), scene_.sun.color, scene_.sky);
     std::vector<LitPuff> out;

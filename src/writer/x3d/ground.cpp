@@ -90,8 +90,7 @@ void writeTerrain(NodeWriter& nodes, const scene::Scene& scene, const Stage& sta
   for (int row = 0; row < terrain.rows; ++row)
     for (int column = 0; column < terrain.columns; ++column) {
       const glm::dvec3 point = terrain.point(column, row);
-      haze.append(colors,
-                  light::shadedReliefColor(terrain, column, row, scene.sun, scene.sky, scene.shadows),
+      haze.append(colors, light::shadedReliefColor(terrain, column, row, scene.sun, scene.sky, scene.shadows),
                   point.x, point.z);
     }
   nodes.open("Transform", "children", "Terrain");

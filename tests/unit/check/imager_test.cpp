@@ -59,8 +59,7 @@ TEST(Imager, ATurnedBlobHoldsTheSameIntegral) {
   const double whole = frontal / 40 * 2 * std::numbers::pi * 150 * 40 * 80 / (side * side);
   for (const float angle : {0.0f, 0.4f, 1.1f, 1.5f}) {
     const auto axes = stretched(glm::angleAxis(angle, glm::normalize(glm::vec3(1, 0.3f, 0.5f))), sigma);
-    EXPECT_NEAR(look({volume({30, 1000, -50}, axes, frontal)}, side).opticalDepth / whole, 1, 0.01)
-        << angle;
+    EXPECT_NEAR(look({volume({30, 1000, -50}, axes, frontal)}, side).opticalDepth / whole, 1, 0.01) << angle;
   }
 }
 
