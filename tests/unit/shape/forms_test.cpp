@@ -88,7 +88,9 @@ TEST(Forms, TheAnvilOverhangsDownwindAndThinsThere) {
 TEST(Forms, NothingLargeIsRoundInCirrus) {
   for (const bool even : {false, true})
     for (const Puff& puff : shaped(base::Genus::Cirrus, 10000, 1000, 600, even).puffs)
-      if (puff.sigma.x > 150) ASSERT_GT(puff.sigma.x, 1.9f * puff.sigma.z);
+      if (puff.sigma.x > 150) {
+        ASSERT_GT(puff.sigma.x, 1.9f * puff.sigma.z);
+      }
 }
 
 TEST(Forms, StratocumulusHasLanes) {
