@@ -3,11 +3,13 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
 
 #include "base/error.hpp"
+#include "base/text.hpp"
 
 namespace cloudgen::base {
 namespace fs = std::filesystem;
@@ -22,6 +24,12 @@ fs::path absoluteWithoutTrailingSlash(const fs::path& path) {
 }
 
 }  // namespace
+
+bool hasExtension(const fs::path& file, std::span<const std::string_view> extensions) {
+  const std::string own = file.extension().string();
+  return std::ranges::any_of(extensions,
+                             [&](std::string_view extension) { return equalIgnoringCase(own, extension); });
+}
 
 std::string readFile(const fs::path& file, std::uint64_t limitBytes) {
   std::error_code error;

@@ -9,6 +9,12 @@
 
 namespace cloudgen::base {
 
+/// True if the name of a file ends in one of the extensions (".ply"), in letters of either case.
+bool hasExtension(const std::filesystem::path& file, std::span<const std::string_view> extensions);
+inline bool hasExtension(const std::filesystem::path& file, std::string_view extension) {
+  return hasExtension(file, std::span(&extension, 1));
+}
+
 /// The bytes of a regular file. Throws InputError if it is missing, a folder, unreadable or over
 /// `limitBytes`.
 std::string readFile(const std::filesystem::path& file, std::uint64_t limitBytes = std::uint64_t{1} << 32);

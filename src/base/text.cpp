@@ -81,6 +81,47 @@ bool parseNumber(std::string_view text, double& value) {
   return error == std::errc{} && end == text.data() + text.size() && std::isfinite(value);
 }
 
+std::size_t characterLength(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  if (byte(0) < 0x80) return 1;
+  const std::size_t length = byte(0) >= 0xf0 ? 4 : byte(0) >= 0xe0 ? 3 : byte(0) >= 0xc2 ? 2 : 0;
+  if (length == 0 || byte(0) > 0xf4 || text.size() < length) return 0;
+  for (std::size_t i = 1; i < length; ++i)
+    if ((byte(i) & 0xc0) != 0x80) return 0;
+  const bool overlong = (byte(0) == 0xe0 && byte(1) < 0xa0) || (byte(0) == 0xf0 && byte(1) < 0x90);
+  const bool noCharacter = (byte(0) == 0xed && byte(1) >= 0xa0) || (byte(0) == 0xf4 && byte(1) >= 0x90) ||
+                           (byte(0) == 0xef && byte(1) == 0xbf && byte(2) >= 0xbe);
+  return overlong || noCharacter ? 0 : length;
+}
+
+std::string xmlEscaped(std::string_view text) {
+  std::string out;
+  while (!text.empty()) {
+    const std::size_t length = characterLength(text);
+    const char c = text.front();
+    if (length == 0)
+      out += "\xef\xbf\xbd";
+    else if (c == '&')
+      out += "&amp;";
+    else if (c == '<')
+      out += "&lt;";
+    else if (c == '>')
+      out += "&gt;";
+    else if (c == '"')
+      out += "&quot;";
+    else if (c == '\'')
+      out += "&apos;";
+    else if (c == '\n' || c == '\t')
+      out += c == '\n' ? "&#10;" : "&#9;";
+    else if (length == 1 && static_cast<unsigned char>(c) < 0x20)
+      out += ' ';
+    else
+      out += text.substr(0, length);
+    text.remove_prefix(std::max<std::size_t>(length, 1));
+  }
+  return out;
+}
+
 std::string nearestWord(std::string_view word, std::span<const std::string> candidates) {
   std::string best;
   size_t bestDistance = word.size() / 3 + 1;

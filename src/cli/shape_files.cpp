@@ -28,7 +28,7 @@ shape::FileShape opened(const shape::Recipe& recipe) {
     if (recipe.zUp) standUp(mesh);
     return shape::shapeFromMesh(mesh, recipe.shapeFile);
   }
-  if (file.extension() == ".json")
+  if (base::hasExtension(file, ".json"))
     return shape::shapeFromGrammar(base::readFile(file, kGrammarLimitBytes), recipe.shapeFile);
   if (input::isVolumeFile(file))
     return shape::shapeFromVolume(input::readVolume(file, recipe.shapeVariable, recipe.zUp));

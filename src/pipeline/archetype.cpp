@@ -170,23 +170,23 @@ ArchetypeShape shapeOf(const ArchetypeKey& key, const Options& options, const Ge
   return out;
 }
 
+double groundCovered(std::span<const shape::Puff> puffs, double widthMeters, double opticalDepth) {
+  return Footprint(puffs, widthMeters).coveredAlone(opticalDepth, kCoveringOpticalDepth);
+}
+
 std::vector<shape::Puff> fewerPuffs(std::span<const shape::Puff> puffs, int count, double widthMeters,
-                                    double opticalDepth) {
-  std::vector<shape::Puff> far = shape::reduce(puffs, count);
-  if (far.empty()) return far;
-  const auto covered = [&](std::span<const shape::Puff> of) {
-    return Footprint(of, widthMeters).coveredAlone(opticalDepth, kCoveringOpticalDepth);
-  };
+                                    double opticalDepth, double ground) {
+  std::vector<shape::Puff> few = shape::reduce(puffs, count);
   // Moments alone make few blobs that reach out further than the many did.
-  const double wanted = covered(puffs);
   for (int pass = 0; pass < 3; ++pass) {
-    const auto by = static_cast<float>(std::clamp(std::sqrt(wanted / covered(far)), 0.7, 1.4));
-    for (shape::Puff& puff : far) {
+    const double covered = groundCovered(few, widthMeters, opticalDepth);
+    const auto by = static_cast<float>(std::clamp(std::sqrt(ground / covered), 0.7, 1.4));
+    for (shape::Puff& puff : few) {
       puff.sigma *= glm::vec3(by, 1, by);
       puff.extinctionPerMeter /= by * by;
     }
   }
-  return far;
+  return few;
 }
 
 std::string nameOf(const ArchetypeKey& key) {

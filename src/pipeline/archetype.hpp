@@ -43,9 +43,13 @@ struct ArchetypeShape {
 };
 ArchetypeShape shapeOf(const ArchetypeKey& key, const Options& options, const Generalisation& general);
 
-/// The same cloud as a few puffs that cover as much ground, seen from above, at an optical depth.
+/// The ground that a cloud covers, seen from above, in squares of its width, if it has an optical depth
+/// there.
+double groundCovered(std::span<const shape::Puff> puffs, double widthMeters, double opticalDepth);
+
+/// The same cloud (of one puff at least) as a few puffs that cover as much ground.
 std::vector<shape::Puff> fewerPuffs(std::span<const shape::Puff> puffs, int count, double widthMeters,
-                                    double opticalDepth);
+                                    double opticalDepth, double ground);
 
 std::string nameOf(const ArchetypeKey& key);
 

@@ -148,18 +148,14 @@ int Canvas::layerAt(const PaintedCell& cell, float baseMeters, float topMeters) 
   return best;
 }
 
-void Canvas::brush(const Stamp& stamp, float sign, Stroke& stroke) {
-  stroke.dabs.clear();
-  stroke.touched.clear();
-  const double reach = stamp.footprint->reach() * stamp.widthMeters;
+void Canvas::sample(const Stamp& stamp) {
+  samples_.clear();
   const glm::dvec2 at = (stamp.place - lower_) / pixelMeters_;
-  const double reachPixels = reach / pixelMeters_;
+  const double reach = stamp.footprint->reach() * stamp.widthMeters / pixelMeters_;
   const double cosine = std::cos(stamp.yawRadians) * pixelMeters_ / stamp.widthMeters,
                sine = std::sin(stamp.yawRadians) * pixelMeters_ / stamp.widthMeters;
-  // Where the pixels are coarse their centres meet a cloud by chance: all of them together get what it holds.
-  samples_.clear();
   double sum = 0;
-  const auto addSample = [&](int column, int row, float value) {
+  const auto add = [&](int column, int row, float value) {
     sum += value;
     if (row >= 0 && row < rows_ && column >= 0 && column < columns_)
       samples_.push_back({static_cast<std::uint32_t>(row) * static_cast<std::uint32_t>(columns_) +
@@ -168,27 +164,34 @@ void Canvas::brush(const Stamp& stamp, float sign, Stroke& stroke) {
   };
   const auto pixelBelow = [](double value) { return static_cast<int>(std::floor(value)); };
   const glm::dvec2 &lower = stamp.footprint->lower(), &upper = stamp.footprint->upper();
-  for (int row = pixelBelow(at.y - reachPixels); row <= pixelBelow(at.y + reachPixels); ++row) {
+  for (int row = pixelBelow(at.y - reach); row <= pixelBelow(at.y + reach); ++row) {
     const double dz = row + 0.5 - at.y;
-    const Span span =
-        both(lineWithin(cosine, -sine * dz, lower.x, upper.x),
-             both(lineWithin(sine, cosine * dz, lower.y, upper.y), {-reachPixels, reachPixels}));
+    const Span span = both(lineWithin(cosine, -sine * dz, lower.x, upper.x),
+                           both(lineWithin(sine, cosine * dz, lower.y, upper.y), {-reach, reach}));
     if (!(span.from <= span.to)) continue;
     for (int column = pixelBelow(at.x + span.from); column <= pixelBelow(at.x + span.to); ++column) {
       const double dx = column + 0.5 - at.x;
       const float value = stamp.footprint->at(cosine * dx - sine * dz, sine * dx + cosine * dz);
-      if (value != 0) addSample(column, row, value);
+      if (value != 0) add(column, row, value);
     }
   }
-  if (sum == 0) addSample(pixelBelow(at.x), pixelBelow(at.y), 1);
-  const double peak = sign * stamp.extinctionArea / (sum * pixelSquareMeters());
+  // So small that it falls between the middles of pixels.
+  if (sum == 0) add(pixelBelow(at.x), pixelBelow(at.y), 1);
+  for (Sample& one : samples_) one.share = static_cast<float>(one.share / sum);
+}
+
+void Canvas::brush(const Stamp& stamp, float sign, Stroke& stroke) {
+  stroke.dabs.clear();
+  stroke.touched.clear();
+  sample(stamp);
+  const double whole = sign * stamp.extinctionArea / pixelSquareMeters();
   std::int32_t lastCell = -1;
   std::uint32_t touched = 0;
   std::size_t plane = 0;
   for (const auto& [pixel, share] : samples_) {
     const std::int32_t cell = cellOf_[pixel];
     if (cell < 0) continue;
-    const auto depth = static_cast<float>(peak * share);
+    const auto depth = static_cast<float>(whole * share);
     if (depth == 0) continue;
     if (cell != lastCell) {
       lastCell = cell;

@@ -103,9 +103,12 @@ class Canvas {
   std::vector<float> values_;  ///< plane by plane
   struct Sample {
     std::uint32_t pixel = 0;
-    float value = 0;
+    float share = 0;
   };
-  std::vector<Sample> samples_;  ///< of the stamp that is brushed
+  /// The pixels that a stamp meets, and the share of it that each gets. Where pixels are coarse their middles
+  /// meet a cloud by chance: all of them together get all of it, those beyond the canvas included.
+  void sample(const Stamp& stamp);
+  std::vector<Sample> samples_;
 };
 
 }  // namespace cloudgen::pipeline

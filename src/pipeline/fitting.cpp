@@ -196,10 +196,14 @@ class Fitting {
       if (best && ownChange(filling) + painted.covered <= painted.wantedCover) break;
     }
     if (!best) return false;
-    canvas_.brush(*best, 1, stroke_);
-    canvas_.paint(stroke_);
-    filling.taken.push_back({number, *best, 0, 0});
+    accept(filling, number, *best);
     return true;
+  }
+
+  void accept(Filling& filling, std::uint32_t number, const Stamp& stamp) {
+    canvas_.brush(stamp, 1, stroke_);
+    canvas_.paint(stroke_);
+    filling.taken.push_back({number, stamp, 0, 0});
   }
 
   /// A layer whose ground its neighbours' clouds cover already still has its water: one cloud holds it, at
@@ -217,9 +221,7 @@ class Fitting {
       const double change = changeOfError(stroke_);
       if (!best || change < least) best = stamp, least = change;
     }
-    canvas_.brush(*best, 1, stroke_);
-    canvas_.paint(stroke_);
-    filling.taken.push_back({number, *best, 0, 0});
+    accept(filling, number, *best);
     std::erase(filling.open, number);
     std::erase(filling.shaded, number);
   }

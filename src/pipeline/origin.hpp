@@ -23,8 +23,8 @@ struct Origin {
 
 /// Scene frame, the model cells in it, the ground, and the sun: where it stands at the valid time over the
 /// middle of the box, or as --sun says, whatever its elevation. A night is drawn by light::skyUnder's least
-/// light, and a warning says so. `grid` is the one whose cells the clouds stand in: the source's, or a finer typing's.
-/// Throws InputError if the box lies outside the grid.
+/// light, and a warning says so. `grid` is the one whose cells the clouds stand in: the source's, or a finer
+/// typing's. Throws InputError if the box lies outside the grid.
 Origin locateOrigin(const field::Source& source, const field::Grid& grid, const Options& options);
 
 }  // namespace cloudgen::pipeline

@@ -31,8 +31,10 @@ scene::Archetype makeArchetype(const ArchetypeKey& key, const Options& options,
   archetype.depthMeters = static_cast<float>(shape.depthMeters);
   archetype.opticalDepth = static_cast<float>(shape.opticalDepth);
   constexpr int kFarPuffs = 6;
-  archetype.farPuffs = fewerPuffs(archetype.puffs, kFarPuffs, shape.widthMeters, shape.opticalDepth);
-  archetype.onePuff = fewerPuffs(archetype.puffs, 1, shape.widthMeters, shape.opticalDepth).front();
+  const double width = shape.widthMeters, depth = shape.opticalDepth,
+               ground = groundCovered(archetype.puffs, width, depth);
+  archetype.farPuffs = fewerPuffs(archetype.puffs, kFarPuffs, width, depth, ground);
+  archetype.onePuff = fewerPuffs(archetype.puffs, 1, width, depth, ground).front();
   return archetype;
 }
 

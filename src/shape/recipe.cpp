@@ -59,7 +59,8 @@ Range rangeFrom(const json& pair, const std::string& where) {
   return range;
 }
 
-/// Sections and billboards. Heaps, towers and filaments scatter sections, cells and veils billboards; in the
+/// Sections and billboards. Heaps (towers too wide for their depth are told as such) and filaments scatter
+/// sections, cells and veils billboards; in the
 /// lobes of heaps and towers billboards lie about whole balls or their upper halves.
 void readParts(const json& file, const std::string& where, Recipe& recipe) {
   const bool ofLobes = recipe.form == Form::Heap || recipe.form == Form::Tower,

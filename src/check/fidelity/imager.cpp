@@ -20,7 +20,7 @@ struct Ray {
   std::array<double, 2> drawnBelow{};
 };
 
-/// Opacity that a ray meets nearly a whole one with: a few of them hide all.
+/// The last float before 1: what is opaque would otherwise have no logarithm.
 constexpr float kMostOpaque = 1 - 0x1p-24f;
 
 /// Share of a normal distribution that lies below a height.

@@ -4,29 +4,22 @@
 #include <array>
 
 #include "base/error.hpp"
-#include "base/text.hpp"
+#include "base/file.hpp"
 
 namespace cloudgen::input {
 namespace {
 
-constexpr std::array<std::string_view, 4> kEndings{".vdb", ".nc", ".nc4", ".cdf"};
-
-bool endsIn(const std::filesystem::path& file, std::string_view ending) {
-  return base::equalIgnoringCase(file.extension().string(), ending);
-}
+constexpr std::array<std::string_view, 4> kExtensions{".vdb", ".nc", ".nc4", ".cdf"};
 
 }  // namespace
 
-bool isVolumeFile(const std::filesystem::path& file) {
-  return std::any_of(kEndings.begin(), kEndings.end(),
-                     [&](std::string_view ending) { return endsIn(file, ending); });
-}
+bool isVolumeFile(const std::filesystem::path& file) { return base::hasExtension(file, kExtensions); }
 
 base::Volume readVolume(const std::filesystem::path& file, const std::string& variable, bool zUp) {
   if (!std::filesystem::is_regular_file(file))
     throw base::InputError(file.string(), "is not there, or is no file", "check the path");
   base::Volume volume =
-      endsIn(file, ".vdb") ? readVdb(file, variable, zUp) : readNetcdfVolume(file, variable);
+      base::hasExtension(file, ".vdb") ? readVdb(file, variable, zUp) : readNetcdfVolume(file, variable);
   if (std::none_of(volume.extinction.begin(), volume.extinction.end(), [](float value) { return value > 0; }))
     throw base::InputError(file.string(), "has no cloud in it", "name another variable or file");
   return volume;

@@ -18,20 +18,6 @@ void appendNumbers(std::string& out, std::span<const float> values, int decimals
   }
 }
 
-/// Length of the UTF-8 sequence at the start of the text; 0 if it is none.
-size_t sequenceLength(std::string_view text) {
-  const auto lead = static_cast<unsigned char>(text[0]);
-  const size_t length = lead < 0x80                   ? 1
-                        : lead >= 0xC2 && lead < 0xE0 ? 2
-                        : lead >= 0xE0 && lead < 0xF0 ? 3
-                        : lead >= 0xF0 && lead < 0xF5 ? 4
-                                                      : 0;
-  if (length == 0 || length > text.size()) return 0;
-  for (size_t i = 1; i < length; ++i)
-    if ((static_cast<unsigned char>(text[i]) & 0xC0) != 0x80) return 0;
-  return length;
-}
-
 }  // namespace
 
 void NodeWriter::number(std::string_view name, double value, int decimals) {
@@ -86,7 +72,7 @@ std::unique_ptr<NodeWriter> nodeWriter(Encoding encoding, const std::filesystem:
 std::string cleanText(std::string_view text) {
   std::string clean;
   while (!text.empty()) {
-    const size_t length = sequenceLength(text);
+    const size_t length = base::characterLength(text);
     if (length == 0)
       clean += '?';
     else if (length == 1 && (static_cast<unsigned char>(text[0]) < 0x20 || text[0] == 0x7F))

@@ -24,6 +24,7 @@ constexpr float kWithinBorder = 0.9451f;
 /// Opacity of upright planes: edge-on, from above, they show as needles.
 constexpr float kUprightShare = 0.7f;
 
+/// How much wider than its puff a quad is.
 float wideningOf(float opticalDepth) {
   constexpr float kCovering = 0.07f;  // few overlap
   return std::max(kWidening, shape::blendedWidening(opticalDepth, kCovering));

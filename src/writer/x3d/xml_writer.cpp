@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "base/text.hpp"
 #include "writer/x3d/encodings.hpp"
 
 namespace cloudgen::writer {
@@ -21,23 +22,6 @@ std::string_view defaultField(std::string_view type) {
   return "children";
 }
 
-void appendEscaped(std::string& out, std::string_view value) {
-  for (const char c : cleanText(value)) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '"')
-      out += "&quot;";
-    else if (c == '\'')
-      out += "&apos;";
-    else
-      out += c;
-  }
-}
-
 }  // namespace
 
 void XmlWriter::start(const HeadEntries& head) {
@@ -45,9 +29,9 @@ void XmlWriter::start(const HeadEntries& head) {
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<X3D profile=\"Immersive\" version=\"4.0\">\n<head>\n";
   for (const auto& [name, content] : head) {
     text() += "<meta name=\"";
-    appendEscaped(text(), name);
+    text() += base::xmlEscaped(cleanText(name));
     text() += "\" content=\"";
-    appendEscaped(text(), content);
+    text() += base::xmlEscaped(cleanText(content));
     text() += "\"/>\n";
   }
   text() += "</head>\n<Scene>";
@@ -102,7 +86,7 @@ void XmlWriter::boolean(std::string_view name, bool value) {
 
 void XmlWriter::string(std::string_view name, std::string_view value) {
   openField(name, false);
-  appendEscaped(text(), value);
+  text() += base::xmlEscaped(cleanText(value));
   closeField(false);
 }
 
@@ -117,7 +101,7 @@ void XmlWriter::strings(std::string_view name, std::span<const std::string> valu
       if (c == '"' || c == '\\') quoted += '\\';
       quoted += c;
     }
-    appendEscaped(text(), quoted);
+    text() += base::xmlEscaped(cleanText(quoted));
     text() += '"';
   }
   text() += '\'';

@@ -77,5 +77,19 @@ TEST(UtcTime, ReadsBackAcrossTheCalendar) {
 
 TEST(UtcTime, JulianDayOfJ2000) { EXPECT_DOUBLE_EQ(julianDay(utcFromCivil(2000, 1, 1, 12)), 2451545.0); }
 
+TEST(Text, CharactersAreWellFormedUtf8) {
+  for (const char* good : {"a", "\xC3\xA9", "\xE2\x82\xAC", "\xF0\x9F\x8C\xA9"})
+    EXPECT_EQ(characterLength(good), std::string_view(good).size()) << good;
+  // A lone continuation, an overlong slash, half a surrogate pair, beyond Unicode, cut short, U+FFFF.
+  for (const char* bad :
+       {"\x80", "\xC0\xAF", "\xE0\x80\xAF", "\xED\xA0\x80", "\xF4\x90\x80\x80", "\xE2\x82", "\xEF\xBF\xBF"})
+    EXPECT_EQ(characterLength(bad), 0u);
+}
+
+TEST(Text, XmlHoldsAnyBytes) {
+  EXPECT_EQ(xmlEscaped("<a b=\"c\"> & 'd'\n"), "&lt;a b=&quot;c&quot;&gt; &amp; &apos;d&apos;&#10;");
+  EXPECT_EQ(xmlEscaped("\x01\xFF\xC3\xA9"), " \xEF\xBF\xBD\xC3\xA9");
+}
+
 }  // namespace
 }  // namespace cloudgen::base
