@@ -88,10 +88,10 @@ void addStrands(std::vector<Puff>& puffs, const ShapeRequest& request, std::uint
   const int count = std::clamp(request.puffs / 4, 1, 60);
   base::RandomStream stream(request.seed, request.variant, base::Purpose::ShapeDetail);
   // Strands side by side fill the width of one soft blob, or nearly.
-  const double breadth = 0.42 * width * std::max(0.15, 1.3 / std::sqrt(static_cast<double>(count)));
+  const double breadth = 0.29 * width * std::max(0.15, 1.3 / std::sqrt(static_cast<double>(count)));
   const double turning = stream.uniform(-0.9, 0.9);
   for (int i = 0; i < count; ++i) {
-    const double x = 0.2 * width * stream.gaussian(), z = 0.37 * width * stream.gaussian();
+    const double x = 0.2 * width * stream.gaussian(), z = 0.28 * width * stream.gaussian();
     Puff puff;
     puff.center =
         glm::vec3(x + 0.12 * width, depth * stream.uniform(0.35, 0.65), z + turning * x * x / width);

@@ -22,16 +22,18 @@ bool isLeaning(const Puff& puff) {
 }
 
 /// What is left beyond base and top would be seen as cloud there, however little it is, where the cloud is
-/// dense: puffs near them are flatter.
+/// dense: puffs near them are flatter; of many they are smaller, too, or they would lie there as discs.
 void flattenTowardsEnds(std::span<Puff> puffs, float depthMeters) {
   constexpr float kBeyond = 0.03f, kDeviations = 2.5f, kFlattest = 0.25f;
+  constexpr std::size_t kMany = 150;
   for (Puff& puff : puffs) {
     if (fallsOut(puff) || isLeaning(puff)) continue;
     puff.center.y = std::min(puff.center.y, depthMeters - 0.3f * puff.sigma.y);
     const float room = std::min(puff.center.y, depthMeters - puff.center.y) + kBeyond * depthMeters;
     const float flatter = std::clamp(room / (kDeviations * puff.sigma.y), kFlattest, 1.0f);
-    puff.sigma.y *= flatter;
-    puff.extinctionPerMeter /= flatter;
+    const float narrower = puffs.size() > kMany ? std::sqrt(flatter) : 1.0f;
+    puff.sigma *= glm::vec3(narrower, flatter, narrower);
+    puff.extinctionPerMeter /= flatter * narrower * narrower;
   }
 }
 

@@ -42,7 +42,7 @@ scene::Instance relativeTo(const glm::dvec3& center, scene::Instance instance) {
 
 /// Across alone: base and top stay where they are.
 shape::Puff widened(shape::Puff puff) {
-  constexpr float kCovering = 0.01f;  // many overlap
+  constexpr float kCovering = 0.015f;  // many overlap
   const float by = shape::blendedWidening(shape::frontalOpticalDepth(puff), kCovering);
   const glm::mat3 axes = glm::mat3_cast(puff.rotation);
   for (int i = 0; i < 3; ++i) {
