@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 
 #include "pipeline/archetype.hpp"
 #include "pipeline/size.hpp"
@@ -19,6 +20,9 @@ constexpr double kOpticalDepthDeviation = 0.35;
 constexpr double kJitter = 0.55, kThinJitter = 0.2;
 /// Rank that a second lattice between the places of the first adds: it fills what those leave open.
 constexpr double kReserve = 1000;
+
+/// Of its width, from its middle: as far as a cloud is seen.
+constexpr double kReach = 0.5;
 
 /// Columns and rows of a lattice over a cell.
 struct Lattice {
@@ -37,6 +41,19 @@ double densityOf(const field::Layer& layer, const shape::Recipe& recipe) {
   return recipe.sheet ? 1.0 : std::min(3.0, 0.15 + 3.0 * layer.fraction);
 }
 
+/// Small heaps are shallow, large ones deep: all of them so much deeper that the deepest of those that come
+/// first reaches the layer's top.
+void reachTheTop(std::span<Candidate> heaps, std::size_t expected, const field::Layer& layer) {
+  const float depth = (layer.upperMeters - layer.lowerMeters) / (1 - 2 * field::kBorderShare);
+  float deepest = 0;
+  for (const Candidate& heap : heaps.first(std::min(heaps.size(), std::max<std::size_t>(1, expected))))
+    deepest = std::max(deepest, heap.depthMeters);
+  for (Candidate& heap : heaps) {
+    heap.depthMeters = std::min(depth, heap.depthMeters * depth / deepest);
+    heap.widthMeters = static_cast<float>(drawnWidthMeters(heap.depthMeters, heap.widthMeters));
+  }
+}
+
 }  // namespace
 
 Candidates candidatesOf(const CandidateContext& context, const field::Layer& layer) {
@@ -46,7 +63,8 @@ Candidates candidatesOf(const CandidateContext& context, const field::Layer& lay
   const double covers = coveredSquareMeters(recipe, meanWidth);
   const double area = field::cellAreaSquareMeters(grid, layer.cell);
   const double wanted = std::min(kMostCandidates, densityOf(layer, recipe) * area / covers);
-  const Lattice lattice = latticeOf(field::cellSidesMeters(grid, layer.cell), wanted);
+  const glm::dvec2 sides = field::cellSidesMeters(grid, layer.cell);
+  const Lattice lattice = latticeOf(sides, wanted);
   const bool thin = isThin(layerClassOf(layer.opticalDepth()));
   // Twice as often as needed, so that there is a choice; thin ones are all taken.
   const double chance = wanted < 1 ? (thin ? layer.fraction : 2) * wanted : 1;
@@ -74,7 +92,9 @@ Candidates candidatesOf(const CandidateContext& context, const field::Layer& lay
         if (!frame.box().contains(candidate.place.longitudeDegrees, candidate.place.latitudeDegrees))
           continue;
         if (!around) around = layersByCell.of(layer);
-        const LayerAtPlace here = around->at(u, v);
+        LayerAtPlace here = around->at(u, v);
+        // What stands apart shows no seam between cells, and has the heights of its own.
+        if (!recipe.sheet) here.lowerMeters = layer.lowerMeters, here.upperMeters = layer.upperMeters;
         const double softened = recipe.sheet ? 0.1 : 0.6;
         const double deviate =
             structure.along(candidate.place, {layer.windEast, layer.windNorth}, recipe.streets) +
@@ -89,6 +109,11 @@ Candidates candidatesOf(const CandidateContext& context, const field::Layer& lay
         candidate.opticalDepth =
             static_cast<float>(here.opticalDepth * std::exp(deviation * thickness.at(candidate.place) -
                                                             0.5 * deviation * deviation));
+        if (candidates.everyCell) {
+          const glm::dvec2 place = around->awayFromClearSides({u, v}, kReach * size.widthMeters / sides);
+          const field::GeoPoint moved = field::pointIn(grid, layer.cell, place.x, place.y);
+          if (frame.box().contains(moved.longitudeDegrees, moved.latitudeDegrees)) candidate.place = moved;
+        }
         const glm::dvec3 scene =
             frame.toScene(candidate.place.longitudeDegrees, candidate.place.latitudeDegrees, 0);
         candidate.scenePlace = {scene.x, scene.z};
@@ -106,6 +131,9 @@ Candidates candidatesOf(const CandidateContext& context, const field::Layer& lay
   std::sort(candidates.list.begin(), candidates.list.end(), [](const Candidate& a, const Candidate& b) {
     return std::pair(a.rank, a.number) < std::pair(b.rank, b.number);
   });
+  if (recipe.form == shape::Form::Heap)
+    reachTheTop(candidates.list, static_cast<std::size_t>(std::lround(layer.fraction * area / covers)),
+                layer);
   return candidates;
 }
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <limits>
 #include <numbers>
+#include <tuple>
 
 namespace cloudgen::pipeline {
 namespace {
@@ -117,17 +117,17 @@ void Canvas::gatherLayers(std::span<const field::Layer> layers) {
     return std::tuple(layers[a].cell, layers[a].lowerMeters, layers[a].ordinal) <
            std::tuple(layers[b].cell, layers[b].lowerMeters, layers[b].ordinal);
   });
-  for (const std::uint32_t i : order) {
-    const field::Layer& layer = layers[i];
-    const std::uint32_t index = indexOf(layer.cell);
-    if (index >= cells_.size() || cells_[index].cell != layer.cell) continue;
-    PaintedCell& cell = cells_[index];
-    if (cell.layerCount == 0) cell.firstLayer = static_cast<std::uint32_t>(layers_.size());
-    ++cell.layerCount;
-    planes_ = std::max<std::size_t>(planes_, cell.layerCount);
-    PaintedLayer painted{i, layer.lowerMeters, layer.upperMeters};
-    painted.covers = layer.opticalDepth() >= kCovering;
-    layers_.push_back(painted);
+  auto next = order.begin();
+  for (PaintedCell& cell : cells_) {
+    cell.firstLayer = static_cast<std::uint32_t>(layers_.size());
+    while (next != order.end() && layers[*next].cell < cell.cell) ++next;
+    for (; next != order.end() && layers[*next].cell == cell.cell; ++next) {
+      const field::Layer& layer = layers[*next];
+      layers_.push_back({*next, layer.lowerMeters, layer.upperMeters, layer.opticalDepth() >= kCovering});
+      ++cell.layerCount;
+    }
+    layers_.emplace_back();
+    planes_ = std::max<std::size_t>(planes_, cell.layerCount + 1);
   }
 }
 
@@ -137,13 +137,13 @@ std::uint32_t Canvas::indexOf(std::uint32_t cell) const {
   return static_cast<std::uint32_t>(found - cells_.begin());
 }
 
-int Canvas::layerAt(const PaintedCell& cell, float baseMeters, float topMeters) const {
-  int best = -1;
-  float most = -std::numeric_limits<float>::max();
+std::uint32_t Canvas::layerAt(const PaintedCell& cell, float baseMeters, float topMeters) const {
+  std::uint32_t best = cell.firstLayer + cell.layerCount;
+  float most = 0;
   for (std::uint32_t i = cell.firstLayer; i < cell.firstLayer + cell.layerCount; ++i) {
     const float overlap =
         std::min(layers_[i].topMeters, topMeters) - std::max(layers_[i].baseMeters, baseMeters);
-    if (overlap > most) most = overlap, best = static_cast<int>(i);
+    if (overlap > most) most = overlap, best = i;
   }
   return best;
 }
@@ -199,11 +199,9 @@ void Canvas::brush(const Stamp& stamp, float sign, Stroke& stroke) {
       touched = touchedAs_[index];
       if (touched >= stroke.touched.size() || stroke.touched[touched].cell != index) {
         touched = touchedAs_[index] = static_cast<std::uint32_t>(stroke.touched.size());
-        const int layer = layerAt(cells_[index], stamp.baseMeters, stamp.topMeters);
-        stroke.touched.push_back({index, layer, 0, 0, 0});
+        stroke.touched.push_back({index, layerAt(cells_[index], stamp.baseMeters, stamp.topMeters), 0, 0, 0});
       }
-      const int layer = stroke.touched[touched].layer;
-      plane = layer < 0 ? 0 : static_cast<std::size_t>(layer) - cells_[index].firstLayer;
+      plane = stroke.touched[touched].layer - cells_[index].firstLayer;
     }
     Stroke::Touched& change = stroke.touched[touched];
     const std::size_t value = plane * cellOf_.size() + pixel;
@@ -227,9 +225,8 @@ void Canvas::paint(const Stroke& stroke) {
   }
   for (const Stroke::Touched& change : stroke.touched) {
     cells_[change.cell].covered += change.coveredByAnyChange;
-    if (change.layer < 0) continue;
-    layers_[static_cast<std::size_t>(change.layer)].covered += change.coveredChange;
-    layers_[static_cast<std::size_t>(change.layer)].opticalDepth += change.opticalDepth;
+    layers_[change.layer].covered += change.coveredChange;
+    layers_[change.layer].opticalDepth += change.opticalDepth;
   }
 }
 

@@ -35,7 +35,8 @@ struct PaintedLayer {
   double opticalDepth = 0;
 };
 
-/// A model cell on the canvas. Its layers are layers()[firstLayer .. + layerCount).
+/// A model cell on the canvas. Its layers are layers()[firstLayer .. + layerCount); one more stands after
+/// them for what strays in at heights where the cell has no cloud: it should show nothing.
 struct PaintedCell {
   std::uint32_t cell = 0;  ///< grid index
   int pixels = 0;          ///< inside the box
@@ -53,8 +54,8 @@ struct Stroke {
     float opticalDepth;
   };
   struct Touched {
-    std::uint32_t cell;  ///< index in Canvas::cells()
-    int layer;           ///< index in Canvas::layers(), -1 where the cell is clear
+    std::uint32_t cell;   ///< index in Canvas::cells()
+    std::uint32_t layer;  ///< index in Canvas::layers()
     int coveredChange, coveredByAnyChange;
     double opticalDepth;
   };
@@ -63,7 +64,8 @@ struct Stroke {
 };
 
 /// The whole scene seen from above on a raster: the optical depth of each layer of each cell, and what of it
-/// is covered. A cloud that reaches into the next cell counts there for the layer at its own height.
+/// is covered. A cloud that reaches into the next cell counts there for the layer at its own height, or
+/// astray.
 class Canvas {
  public:
   /// `cells`: those of the box, ascending; `layers` of them. pixelMeters is made larger where the box would
@@ -88,7 +90,7 @@ class Canvas {
  private:
   void assignPixels(const field::Grid& grid, const base::LocalFrame& frame);
   void gatherLayers(std::span<const field::Layer> layers);
-  int layerAt(const PaintedCell& cell, float baseMeters, float topMeters) const;
+  std::uint32_t layerAt(const PaintedCell& cell, float baseMeters, float topMeters) const;
 
   glm::dvec2 lower_{0};
   double pixelMeters_ = 1;

@@ -139,7 +139,7 @@ class Fitting {
   /// A narrower heap is less deep, too, where it would else be a column; a form of its own keeps its
   /// proportions.
   static double depthAt(const shape::Recipe& recipe, const Candidate& candidate, double share) {
-    constexpr double kSlender = 0.6;  ///< depth over width
+    constexpr double kSlender = 1.5;  ///< depth over width
     const bool ownForm = recipe.form == shape::Form::File;
     if (recipe.sheet || (recipe.form != shape::Form::Heap && !ownForm)) return candidate.depthMeters;
     if (ownForm) return candidate.depthMeters * std::max(0.3, share);
@@ -162,18 +162,13 @@ class Fitting {
     double change = 0;
     for (const Stroke::Touched& touched : stroke.touched) {
       const PaintedCell& cell = canvas_.cells()[touched.cell];
-      double here = 0;
-      if (touched.layer < 0) {
-        here += squared(cell.covered + touched.coveredByAnyChange) - squared(cell.covered);
-      } else {
-        const PaintedLayer& layer = canvas_.layers()[static_cast<std::size_t>(touched.layer)];
-        if (layer.covers)
-          here += squared(layer.covered + touched.coveredChange - layer.wantedCover) -
-                  squared(layer.covered - layer.wantedCover);
-        const double wanted = wantedOfAll_[touched.cell];
-        here += kWeightOfAll * (squared(cell.covered + touched.coveredByAnyChange - wanted) -
-                                squared(cell.covered - wanted));
-      }
+      const PaintedLayer& layer = canvas_.layers()[touched.layer];
+      const double wanted = wantedOfAll_[touched.cell];
+      double here = kWeightOfAll * (squared(cell.covered + touched.coveredByAnyChange - wanted) -
+                                    squared(cell.covered - wanted));
+      if (layer.covers)
+        here += squared(layer.covered + touched.coveredChange - layer.wantedCover) -
+                squared(layer.covered - layer.wantedCover);
       change += here / cell.pixels;
     }
     return change;
@@ -228,7 +223,7 @@ class Fitting {
 
   int ownChange(const Filling& filling) const {
     for (const Stroke::Touched& touched : stroke_.touched)
-      if (touched.layer == static_cast<int>(filling.painted)) return touched.coveredChange;
+      if (touched.layer == filling.painted) return touched.coveredChange;
     return 0;
   }
 
@@ -414,8 +409,7 @@ class Fitting {
         double whole = 0, wanted = 0;
         for (const Stroke::Touched& touched : stroke_.touched) {
           whole += touched.opticalDepth;
-          if (touched.layer < 0) continue;
-          const PaintedLayer& layer = layers[static_cast<std::size_t>(touched.layer)];
+          const PaintedLayer& layer = layers[touched.layer];
           if (layer.opticalDepth > 0)
             wanted += touched.opticalDepth * layer.wantedOpticalDepth / layer.opticalDepth;
         }
@@ -474,7 +468,7 @@ double pixelMetersFor(const CandidateContext& context, std::span<const field::La
   const double cellMeters = std::sqrt(weight / cell), cloudMeters = std::sqrt(weight / cloud);
   // Where a cloud spans many cells each needs but a pixel or two.
   if (cloudMeters > 2 * cellMeters) return std::max(cellMeters / 2, cloudMeters / 12);
-  return std::min(cloudMeters / 4, cellMeters / (cellMeters > cloudMeters ? 20 : 4));
+  return std::min(cloudMeters / 4, cellMeters / (cellMeters > cloudMeters ? 40 : 8));
 }
 
 }  // namespace

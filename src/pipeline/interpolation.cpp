@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <numbers>
 
 namespace cloudgen::pipeline {
@@ -12,6 +13,14 @@ namespace {
 double pastTheMiddle(double t) { return std::copysign(2 * std::max(0.0, std::abs(t) - 0.25), t); }
 
 double tent(double distance) { return std::max(0.0, 1 - std::abs(distance)); }
+
+/// Where the water of a layer gathers: thin ice that trails far above or below it is not what goes on next
+/// door.
+double gatheredMeters(const field::Layer& layer) { return layer.upperMeters - layer.lowerMeters; }
+
+double sharedMeters(const field::Layer& a, const field::Layer& b) {
+  return std::min(a.upperMeters, b.upperMeters) - std::max(a.lowerMeters, b.lowerMeters);
+}
 
 /// How many cells `to` lies from `from`, along its rows and columns.
 std::pair<double, double> cellsAway(const field::Grid& grid, std::uint32_t from, std::uint32_t to) {
@@ -70,6 +79,19 @@ LayerAtPlace LayerAround::at(double u, double v) const {
   return here;
 }
 
+glm::dvec2 LayerAround::awayFromClearSides(glm::dvec2 place, glm::dvec2 reach) const {
+  constexpr double kFurthest = 0.4, kAside = 0.25;
+  reach = glm::min(reach, glm::dvec2(kFurthest));
+  for (const Neighbour& next : neighbours_) {
+    if (next.layer) continue;
+    if (std::abs(next.rowsAway) < kAside)
+      place.x = next.columnsAway > 0 ? std::min(place.x, 1 - reach.x) : std::max(place.x, reach.x);
+    if (std::abs(next.columnsAway) < kAside)
+      place.y = next.rowsAway > 0 ? std::min(place.y, 1 - reach.y) : std::max(place.y, reach.y);
+  }
+  return place;
+}
+
 LayersByCell::LayersByCell(const field::Grid& grid, std::span<const field::Layer> layers) : grid_(grid) {
   for (const field::Layer& layer : layers) byCell_.push_back(&layer);
   std::sort(byCell_.begin(), byCell_.end(), [](const field::Layer* a, const field::Layer* b) {
@@ -87,8 +109,8 @@ LayerAround LayersByCell::of(const field::Layer& layer) const {
                                         [](const field::Layer* a, std::uint32_t b) { return a->cell < b; });
     double most = 0;
     for (auto it = first; it != byCell_.end() && (*it)->cell == cell; ++it) {
-      const double overlap = field::overlapMeters(layer, **it);
-      if (overlap <= 0.5 * std::min(layer.depthMeters(), (*it)->depthMeters()) || overlap <= most) continue;
+      const double overlap = sharedMeters(layer, **it);
+      if (overlap <= 0.5 * std::min(gatheredMeters(layer), gatheredMeters(**it)) || overlap <= most) continue;
       most = overlap;
       next.layer = *it;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <glm/vec2.hpp>
 #include <span>
 #include <utility>
 #include <vector>
@@ -23,6 +24,10 @@ class LayerAround {
   /// rather than how many, by geometric means between the centres; heights and optical depth are the cell's
   /// own in its middle half and pass into the neighbours' in the rest.
   LayerAtPlace at(double u, double v) const;
+  /// (u, v) moved away from those sides of the cell beyond which the layer does not go on, so that a cloud
+  /// that reaches this far along columns and rows stays inside; 0.4 at most, or all would stand in the
+  /// middle.
+  glm::dvec2 awayFromClearSides(glm::dvec2 place, glm::dvec2 reach) const;
 
  private:
   friend class LayersByCell;

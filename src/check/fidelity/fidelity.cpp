@@ -18,7 +18,7 @@ namespace {
 
 /// Columns of which less lies in the box than this part of the largest share are left out.
 constexpr double kLeastShareInside = 0.25;
-constexpr double kRays = 200'000;  ///< of all columns together, about
+constexpr double kRays = 1'600'000;  ///< of all columns together, about
 constexpr int kFewestAcross = 6, kMostAcross = 200;
 constexpr std::size_t kWorst = 5;
 
