@@ -23,11 +23,16 @@ struct Ray {
 /// The last float before 1: what is opaque would otherwise have no logarithm.
 constexpr float kMostOpaque = 1 - 0x1p-24f;
 
-/// Share of a normal distribution that lies below a height.
-double shareBelow(double height, double mean, double deviation) {
+double normalShareBelow(double deviations) { return 0.5 * std::erfc(-deviations / std::numbers::sqrt2); }
+
+/// Share of what a footprint draws that lies below a height: a normal distribution, of a card no more than
+/// its sprite shows.
+double shareBelow(double height, double mean, const Footprint& footprint) {
+  const double most = footprint.square ? kCardReach : 3.0;
   const double distance = height - mean;
-  if (std::abs(distance) >= 3 * deviation) return distance > 0 ? 1 : 0;
-  return 0.5 * std::erfc(-distance / (deviation * std::numbers::sqrt2));
+  if (std::abs(distance) >= most * footprint.heightDeviation) return distance > 0 ? 1 : 0;
+  const double cut = normalShareBelow(-most);
+  return (normalShareBelow(distance / footprint.heightDeviation) - cut) / (1 - 2 * cut);
 }
 
 }  // namespace
@@ -103,7 +108,7 @@ ColumnView Imager::look(std::span<const glm::dvec2> rays, const ModelColumn& col
       seen.opticalDepth += depth;
       ray.drawn += drawn;
       for (std::size_t border = 0; border < 2; ++border)
-        ray.drawnBelow[border] += drawn * shareBelow(column.borders[border], height, blob.heightDeviation);
+        ray.drawnBelow[border] += drawn * shareBelow(column.borders[border], height, blob);
       profile.addGaussian(height, blob.heightDeviation, depth);
     }
     if (ray.drawn > kCloudyOpticalDepth) seen.cover += 1;
