@@ -11,7 +11,8 @@ Layer::Layer(const ExtinctionGrid& cloud) : lower_(cloud.lower().y), cell_(cloud
   const glm::ivec3 size = cloud.size();
   const std::vector<float>& cells = cloud.cells();
   const auto at = [&](int x, int y, int z) {
-    return cells[(static_cast<std::size_t>(z) * static_cast<std::size_t>(size.y) + static_cast<std::size_t>(y)) *
+    return cells[(static_cast<std::size_t>(z) * static_cast<std::size_t>(size.y) +
+                  static_cast<std::size_t>(y)) *
                      static_cast<std::size_t>(size.x) +
                  static_cast<std::size_t>(x)];
   };
@@ -36,7 +37,8 @@ Layer::Layer(const ExtinctionGrid& cloud) : lower_(cloud.lower().y), cell_(cloud
 
 float Layer::depthFrom(float heightMeters, float rise) const {
   constexpr float kFlattest = 0.12f;
-  const float place = std::clamp((heightMeters - lower_) / cell_, 0.0f, static_cast<float>(below_.size() - 1));
+  const float place =
+      std::clamp((heightMeters - lower_) / cell_, 0.0f, static_cast<float>(below_.size() - 1));
   const auto level = std::min(static_cast<std::size_t>(place), below_.size() - 2);
   const float below = glm::mix(below_[level], below_[level + 1], place - static_cast<float>(level));
   return (rise > 0 ? below_.back() - below : below) / std::max(std::abs(rise), kFlattest);

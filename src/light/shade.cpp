@@ -13,8 +13,8 @@ namespace {
 /// Irradiance of the sun and of the ground on a white surface, as radiances: sunlight of colour 1 and
 /// Sky::bounce of 1.
 constexpr float kSun = 0.92f, kGround = 0.75f;
-/// And of an even sky, Sky::ambient of 1: a seventh of what the high sun gives. The sky is shown brighter than
-/// that (an eye gets used to it), the more the lower the sun, whose light it then must not drown.
+/// And of an even sky, Sky::ambient of 1: a seventh of what the high sun gives. The sky is shown brighter
+/// than that (an eye gets used to it), the more the lower the sun, whose light it then must not drown.
 constexpr float kSkyAtNoon = 0.45f, kSkyWithoutSun = 0.16f;
 
 /// What a thick cloud's bright faces answer. Those of thinner ones are shown brighter, as the sky behind them
@@ -63,7 +63,8 @@ std::vector<PuffLight> shadePuffs(std::span<const shape::Puff> puffs, const Clou
   for (std::size_t i = 0; i < puffs.size(); ++i) {
     const PuffTransfer& transfer = cloud.puffs[i];
     const float below = thick * glm::smoothstep(0.0f, 0.7f, -transfer.upward);
-    const float sun = std::clamp(dot(transfer.sun, harmonics) / glm::mix(bright, kFace / kBelow, below), 0.0f, 1.15f);
+    const float sun =
+        std::clamp(dot(transfer.sun, harmonics) / glm::mix(bright, kFace / kBelow, below), 0.0f, 1.15f);
     const float lit = glm::mix(0.9f, sun, shading);
     const glm::vec3 radiance = kSun * lighting.sunColor * cloud.once.even * lit +
                                skyShare * lighting.sky.ambient * glm::mix(1.0f, transfer.sky, shading) +

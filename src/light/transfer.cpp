@@ -247,7 +247,8 @@ SunAnswer answer(const Place& place, const glm::vec3& direction, const Beam& bea
               away = 0.25f + strength * (facing(-cosine) - 0.25f);
   return {
       (towards * (beam.before - beam.through()) + away * beam.before * cloud.diffused()) / cloud.opacity(),
-      clear, {}};
+      clear,
+      {}};
 }
 
 /// What has not lost its direction was scattered once, or nearly.
