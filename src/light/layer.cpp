@@ -54,7 +54,7 @@ float layerShare(std::span<const shape::Puff> puffs, const ExtinctionGrid& grid)
     flat += area * puff.sigma.y / std::max(puff.sigma.x, puff.sigma.z);
     whole += area;
   }
-  const float flatness = 1 - glm::smoothstep(0.3f, 0.5f, static_cast<float>(flat / whole));
+  const float flatness = 1 - glm::smoothstep(0.2f, 0.32f, static_cast<float>(flat / whole));
   return kMost * glm::smoothstep(1.2f, 2.2f, aspect) * flatness;
 }
 

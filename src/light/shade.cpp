@@ -65,7 +65,7 @@ std::vector<PuffLight> shadePuffs(std::span<const shape::Puff> puffs, const Clou
     const float below = thick * glm::smoothstep(0.0f, 0.7f, -transfer.upward);
     const float sun =
         std::clamp(dot(transfer.sun, harmonics) / glm::mix(bright, kFace / kBelow, below), 0.0f, 1.15f);
-    const float lit = glm::mix(0.9f, sun, shading);
+    const float lit = glm::mix(glm::mix(0.9f, 0.4f, below), sun, shading);
     const glm::vec3 radiance = kSun * lighting.sunColor * cloud.once.even * lit +
                                skyShare * lighting.sky.ambient * glm::mix(1.0f, transfer.sky, shading) +
                                kGround * lighting.sky.bounce * glm::mix(0.5f, transfer.ground, shading);

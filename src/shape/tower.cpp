@@ -79,7 +79,7 @@ void addFlankingLine(std::vector<Lobe>& lobes, const ShapeRequest& request, int 
   }
 }
 
-constexpr double kUpwindReach = 0.2, kAnvilLength = 1.05;  ///< of the anvil, in widths
+constexpr double kUpwindReach = 0.16, kAnvilLength = 1.05;  ///< of the anvil, in widths
 
 /// Height of the anvil's underside in depths: it rises from the column to all sides.
 double anvilUnderside(double along, double across) {
@@ -125,7 +125,7 @@ void addAnvil(std::vector<Puff>& puffs, const ShapeRequest& request, int count, 
     const double diverging = across * 0.13 / std::sqrt(along + 0.05) / kAnvilLength;
     puff.rotation = turnedAlong({1, 0.03 * stream.gaussian(), diverging});
     puff.extinctionPerMeter =
-        static_cast<float>(1.3 * std::exp(-2.0 * along) * thin * rim * upwind *
+        static_cast<float>(1.3 * std::exp(-2.7 * along) * thin * rim * upwind *
                            std::clamp(0.95 + (1.2 + 2.5 * along) * streak, 0.03, 2.2) / puff.sigma.y);
     puff.section = 9;
     puffs.push_back(puff);
