@@ -12,7 +12,7 @@ namespace cloudgen::shape {
 namespace {
 
 constexpr double kFlatAspect = 0.3;
-constexpr double kShreds = 0.14;  ///< of the puffs, where the recipe is ragged throughout
+constexpr double kShreds = 0.1;  ///< of the puffs, where the recipe is ragged throughout
 constexpr double kSunk =
     0.1;  ///< of a foot's radius: its middle above the base, which cuts it where it is widest
 
@@ -71,26 +71,26 @@ void addField(std::vector<Lobe>& lobes, const Recipe& recipe, const ShapeRequest
 /// air tears the cloud.
 void addShreds(std::vector<Puff>& puffs, const std::vector<Lobe>& lobes, int count,
                base::RandomStream& stream) {
-  constexpr int kOfClump = 9;
+  constexpr int kOfClump = 12;
   std::vector<const Lobe*> turrets;
   for (const Lobe& lobe : lobes)
     if (lobe.level == 0) turrets.push_back(&lobe);
   for (int made = 0; made < count; made += kOfClump) {
     const Lobe& lobe = *turrets[stream.index(static_cast<int>(turrets.size()))];
     const double angle = 2.0 * std::numbers::pi * stream.uniform();
-    const double size = lobe.radius * stream.uniform(0.12, 0.3);
-    const double out = lobe.radius * stream.uniform(1.0, 1.25) + size;
+    const double size = lobe.radius * stream.uniform(0.15, 0.4);
+    const double out = lobe.radius * stream.uniform(1.0, 1.3) + size;
     const glm::dvec3 middle(lobe.center.x + out * std::cos(angle),
                             std::max(1.2 * size, lobe.center.y * stream.uniform(0.3, 1.0)),
                             lobe.center.z + out * std::sin(angle));
     for (int i = 0; i < std::min(kOfClump, count - made); ++i) {
       Puff puff;
-      const double sigma = size * stream.uniform(0.18, 0.42);
-      puff.center =
-          middle + size * glm::dvec3(1.1 * stream.gaussian(), 0.4 * stream.gaussian(), stream.gaussian());
+      const double sigma = size * stream.uniform(0.3, 0.6);
+      puff.center = middle + size * glm::dvec3(0.9 * stream.gaussian(), 0.35 * stream.gaussian(),
+                                               0.7 * stream.gaussian());
       puff.center.y = std::max(puff.center.y, static_cast<float>(1.5 * sigma));
       puff.sigma = glm::vec3(1.3 * sigma, 0.7 * sigma, sigma);
-      puff.extinctionPerMeter = static_cast<float>(stream.uniform(0.08, 0.4) / puff.sigma.y);
+      puff.extinctionPerMeter = static_cast<float>(stream.uniform(0.1, 0.45) / puff.sigma.y);
       puff.section = lobe.section;
       puffs.push_back(puff);
     }
