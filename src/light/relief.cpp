@@ -38,8 +38,8 @@ glm::vec3 shadedReliefColor(const base::HeightField& field, int column, int row,
   for (int i = 0; i < kSamples; ++i)
     for (int j = 0; j < kSamples; ++j) {
       const glm::dvec2 offset = field.step * (glm::dvec2(i + 0.5, j + 0.5) / double{kSamples} - 0.5);
-      shade += groundDimming(shadows.opticalDepthTo(glm::vec3(point + glm::dvec3(offset.x, 0, offset.y))),
-                             sun, sky);
+      shade += groundDimming(shadows.opticalDepthTo(glm::vec3(point + glm::dvec3(offset.x, 0, offset.y))), sun,
+                             sky);
     }
   return reliefColor(field, column, row, sun, sky) * shade / static_cast<float>(kSamples * kSamples);
 }

@@ -134,7 +134,8 @@ Shadows shadowsOf(std::span<const Caster> clouds, const glm::vec3& sunDirection)
     shadows.whole.add(clouds[slice.cloud], slice.heightMeters, slice.opticalDepth);
   };
   for (const std::uint32_t i : byTop) {
-    for (; next < slices.size() && slices[next].bottom >= topOf(i); ++next) add(slices[next]);
+    for (; next < slices.size() && slices[next].bottom >= topOf(i); ++next)
+      add(slices[next]);
     if (next > 0) shadows.sunlight[i] = shadows.whole.lightOn(clouds[i], topOf(i));
   }
   for (; next < slices.size(); ++next) add(slices[next]);
