@@ -15,6 +15,7 @@ namespace cloudgen::image {
 namespace {
 
 constexpr int kElevations = 64, kAzimuths = 49, kSteps = 40;
+constexpr double kDuskDegrees = -7, kNightDegrees = -16;
 constexpr double kPi = std::numbers::pi;
 constexpr double kAirHeight = 8000, kAerosolHeight = 1300, kAtmosphere = 60000;
 // Vertical optical depths at 680, 550 and 440 nm: air after Bodhaine et al. 1999, ozone of 300 DU, a clear
@@ -45,13 +46,18 @@ Atmosphere::Atmosphere(const light::Sun& sun, const light::Sky& sky, double eyeH
   // Photographs and eyes hold the sky brighter against white clouds than it is.
   // A camera set for a low sun's clouds would burn the sky about it out: less for both.
   gain_ = 2.1f * std::pow(exposure, 0.65f);
+  const auto night =
+      static_cast<float>(1 - base::smoothStep(kNightDegrees, kDuskDegrees, sun.elevationDegrees));
   table_.resize(static_cast<size_t>(kElevations) * kAzimuths);
   for (int row = 0; row < kElevations; ++row)
     for (int column = 0; column < kAzimuths; ++column) {
       const double up = static_cast<double>(row) / (kElevations - 1),
                    aside = static_cast<double>(column) / (kAzimuths - 1);
+      // The sky of the night comes through where the sun's has gone: that of light::Sky.
+      const double sine = std::max(0.004, up * up);
+      const glm::vec3 ofNight = glm::mix(sky.zenith, sky.horizon, static_cast<float>(std::exp(-3.5 * sine)));
       table_[static_cast<size_t>(row) * kAzimuths + static_cast<size_t>(column)] =
-          computed(std::max(0.004, up * up), kPi * aside * aside);
+          computed(sine, kPi * aside * aside) + night * ofNight;
     }
 }
 
@@ -88,7 +94,8 @@ glm::vec3 Atmosphere::computed(double sine, double azimuthFromSun) const {
   }
   // In units of a white face under a sun at the zenith, whose own path is taken for neutral as light::Sun
   // does.
-  const double day = std::clamp((sunElevationDegrees_ + 7.0) / 9.0, 0.02, 1.0);
+  const double day = std::clamp((sunElevationDegrees_ - kDuskDegrees) / 9.0, 0.02, 1.0) *
+                     base::smoothStep(kNightDegrees, kDuskDegrees, sunElevationDegrees_);
   return gain_ * glm::vec3(day * kPi * sum / white);
 }
 

@@ -76,8 +76,16 @@ void March::beginNext() {
   waiting_.pop_back();
 }
 
+void March::addThread(Field& field, const Blob& blob, float extinction, const glm::vec3& point) {
+  const float thread = glm::dot(blob.fibre, blob.fibre);
+  if (!(thread > 0)) return;
+  field.thread += extinction * thread;
+  field.alongThread += extinction * glm::dot(point - blob.center, blob.fibre) * blob.fibre;
+}
+
 March::Field March::fieldOnRay(float distance) const {
   Field field;
+  const glm::vec3 point = origin_ + direction_ * distance;
   for (const Crossing& crossing : crossings_) {
     const float a = (distance - crossing.middle) / crossing.deviation;
     const Blob& blob = blobs_[crossing.blob];
@@ -87,6 +95,7 @@ March::Field March::fieldOnRay(float distance) const {
     field.own += extinction * blob.extinction;
     field.scale += extinction * blob.scale;
     field.billow += extinction * blob.billow;
+    addThread(field, blob, extinction, point);
     field.deviation += extinction * crossing.deviation;
     field.ice += extinction * blob.ice;
     field.color += extinction * blob.color;
@@ -105,6 +114,7 @@ March::Field March::fieldAt(const glm::vec3& point) const {
     field.own += extinction * blob.extinction;
     field.scale += extinction * blob.scale;
     field.billow += extinction * blob.billow;
+    addThread(field, blob, extinction, point);
   }
   return field;
 }
@@ -115,13 +125,19 @@ float March::eaten(const Field& field, const glm::vec3& point, float shortest) c
   const float extinction = field.extinction;
   if (!(extinction > 0)) return 0;
   const float scale = field.scale / extinction, billow = field.billow / extinction;
-  // How many puffs overlap here, as if all were alike: 1 in the middle of a single one.
-  const float overlap = extinction * extinction / field.own;
+  const float thread = field.thread / extinction;
+  // How many puffs overlap here, as if all were alike: 1 in the middle of a single one. Fibres are seen in
+  // many.
+  const float overlap = extinction * extinction / (field.own * (1 + 8 * thread));
   if (overlap > kSolid) return extinction;
-  const float longest = 5.0f * scale;
-  const float noise = shortest < longest ? noise_.octaves(eye_ + point, longest, shortest) : 0.5f;
+  const float longest = 5.0f * scale * (1 - 0.75f * thread);
+  // Along threads the noise is drawn out.
+  constexpr float kDrawnOut = 0.9f;
+  const glm::vec3 place = eye_ + point - kDrawnOut * field.alongThread / extinction;
+  const float noise = shortest < longest ? noise_.octaves(place, longest, shortest) : 0.5f;
   const float edge = 3.0f * (1 - noise) * (1 - noise);
-  const float heap = 1.5f * step01(edge, 1.25f * edge + 0.25f, overlap), sheet = 0.65f + 0.7f * noise;
+  const float heap = 1.5f * step01(edge, 1.25f * edge + 0.25f, overlap),
+              sheet = glm::mix(0.65f + 0.7f * noise, 2.0f * step01(0.12f, 0.88f, noise), thread);
   const float share = glm::mix(sheet, heap, billow);
   return extinction * glm::mix(share, 1.0f, step01(0.6f * kSolid, kSolid, overlap));
 }

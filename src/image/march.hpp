@@ -28,14 +28,16 @@ class March {
   };
   /// Sums over the blobs at a place, each weighed by its extinction there.
   struct Field {
-    float extinction = 0, own = 0, scale = 0, billow = 0, deviation = 0, ice = 0;
+    float extinction = 0, own = 0, scale = 0, billow = 0, deviation = 0, ice = 0, thread = 0;
     glm::vec3 color{0};
+    glm::vec3 alongThread{0};  ///< from the middles of threads, along them
   };
 
   void meet(std::uint32_t blob, float after);
   void beginNext();
   static bool startsLater(const Crossing& a, const Crossing& b);
   Field fieldOnRay(float distance) const;
+  static void addThread(Field& field, const Blob& blob, float extinction, const glm::vec3& point);
   Field fieldAt(const glm::vec3& point) const;
   float eaten(const Field& field, const glm::vec3& point, float shortest) const;
   float lightAt(const glm::vec3& point, float scale, float shortest) const;

@@ -42,6 +42,10 @@ Blob blobOf(const Splat& splat, const View& view, const VolumeOptions& options) 
   blob.color = light::linearFromSrgb(glm::clamp(splat.color + splat.towardsSun * towards, 0.0f, 1.0f));
   blob.scale = std::cbrt(sigma.x * sigma.y * sigma.z);
   blob.billow = static_cast<float>(base::smoothStep(0.25, 0.62, narrowest / widest));
+  const float middle = splat.sigma.x + splat.sigma.y + splat.sigma.z - narrowest - widest;
+  const int longest = splat.sigma.x >= widest ? 0 : (splat.sigma.y >= widest ? 1 : 2);
+  blob.fibre =
+      axes[longest] * static_cast<float>(base::smoothStep(1.8, 3.5, widest / std::max(middle, 1e-6f)));
   blob.ice = static_cast<float>(base::smoothStep(kWaterBelowMeters, kIceAboveMeters, splat.center.y));
   blob.enter = static_cast<float>(distance) - kReach * std::max({sigma.x, sigma.y, sigma.z});
   return blob;

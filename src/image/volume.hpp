@@ -22,6 +22,7 @@ struct Blob {
   float scale = 1;      ///< geometric mean of the deviations, m
   float billow = 0;     ///< 1: a lump of a heap, 0: part of a sheet or a thread
   float ice = 0;        ///< share of ice
+  glm::vec3 fibre{0};   ///< its long axis, as long as it is a thread: 1, or not: 0
   float enter = 0;      ///< distance from the eye at which rays may meet it
 };
 

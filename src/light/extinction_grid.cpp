@@ -11,10 +11,13 @@ ExtinctionGrid::ExtinctionGrid(std::span<const shape::Puff> puffs, int cellsAlon
   const shape::Bounds bounds = shape::boundsOf(puffs, 2.0f);
   const glm::vec3 size = bounds.upper - bounds.lower;
   const float longest = std::max({size.x, size.y, size.z, 1.0f});
+  // Many puffs tell finer relief, which must be lit, too.
+  constexpr float kMany = 20000, kMostFiner = 2.5f;
+  const float finer = std::clamp(std::cbrt(static_cast<float>(puffs.size()) / kMany), 1.0f, kMostFiner);
   // Flat clouds get finer cells, so that their depth is resolved by a few.
   const float shortest = std::max(std::min({size.x, size.y, size.z}), longest / 64.0f);
-  cell_ =
-      std::max(std::min(longest / static_cast<float>(cellsAlongLongest), shortest / 6.0f), longest / 160.0f);
+  cell_ = std::max(std::min(longest / (finer * static_cast<float>(cellsAlongLongest)), shortest / 6.0f),
+                   longest / (finer * 160.0f));
   // And no more cells than the puffs can tell apart.
   const double mostCells = 400.0 * static_cast<double>(std::max<size_t>(puffs.size(), 10));
   cell_ = std::max(cell_,

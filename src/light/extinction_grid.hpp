@@ -12,8 +12,8 @@ namespace cloudgen::light {
 /// The extinction of a set of puffs on a regular voxel grid, for optical depths between them.
 class ExtinctionGrid {
  public:
-  /// About `cellsAlongLongest` cells along the longest side of the puffs' box; the puffs' extinction area is
-  /// kept exactly.
+  /// About `cellsAlongLongest` cells along the longest side of the puffs' box, up to 2.5 times as many for more
+  /// than 20,000 puffs; the puffs' extinction area is kept exactly.
   ExtinctionGrid(std::span<const shape::Puff> puffs, int cellsAlongLongest);
 
   /// Extinction per metre at a point, trilinear; 0 outside.

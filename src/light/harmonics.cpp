@@ -39,7 +39,7 @@ HarmonicFit::HarmonicFit(std::span<const glm::vec3> directions) {
   for (const glm::vec3& direction : directions) columns_.push_back(harmonicsOf(direction));
   // A sun far under the horizon lights no cloud: less weight for what it would do.
   std::vector<double> weights;
-  for (const glm::vec3& direction : directions) weights.push_back(direction.y < -0.25f ? 0.3 : 1.0);
+  for (const glm::vec3& direction : directions) weights.push_back(direction.y < -0.25f ? 0.05 : 1.0);
   // Normal equations by Cholesky.
   constexpr std::size_t n = kHarmonics;
   std::array<std::array<double, n>, n> lower{};

@@ -9,6 +9,11 @@ namespace cloudgen::light {
 
 double henyeyGreenstein(double cosine, double asymmetry) { return draine(cosine, asymmetry, 0); }
 
+ScatteredOnce scatteredOnce(double asymmetry) {
+  const double back = henyeyGreenstein(-1, asymmetry) / henyeyGreenstein(0, asymmetry);
+  return {static_cast<float>(0.5 * (1 + back)), static_cast<float>(2 * (1 - back))};
+}
+
 double draine(double cosine, double g, double alpha) {
   const double g2 = g * g, base = 1 + g2 - 2 * g * cosine;
   return (1 - g2) * (1 + alpha * cosine * cosine) /

@@ -13,6 +13,15 @@ inline constexpr float kSingleScatteringAlbedo = 1.0f;
 /// Henyey & Greenstein 1941, per steradian: `cosine` of the angle of deflection, asymmetry -1 < g < 1.
 double henyeyGreenstein(double cosine, double asymmetry);
 
+/// Light that a thin cloud scatters once, beside what it sends square to the beam: `even + towards * (1/4 +
+/// 1/2 cosine)` of the angle between the line of sight and the direction to the sun. The line that Gaussian
+/// splats can hold (their harmonics of degree 1) through Henyey-Greenstein's values at 90 and 180 degrees; the
+/// glare about the sun is more than it. {1, 0} is the same to all sides.
+struct ScatteredOnce {
+  float even = 1, towards = 0;
+};
+ScatteredOnce scatteredOnce(double asymmetry);
+
 /// Draine 2003, per steradian: Henyey-Greenstein times 1 + alpha cosine^2, normalised.
 double draine(double cosine, double g, double alpha);
 

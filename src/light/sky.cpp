@@ -83,7 +83,9 @@ Sky skyUnder(const Sun& sun) {
   sky.horizon = shown(scale * evened(edge, 0.15f) + kNight);
   sky.ground =
       day * glm::mix(glm::vec3(0.13f, 0.17f, 0.09f), glm::vec3(0.09f, 0.09f, 0.06f), low) + 0.15f * kNight;
-  sky.ambient = shown(evened(0.55f * sky.zenith + 0.45f * sky.horizon, 0.35f)) + 0.5f * kNight;
+  // Under a low sun it is the blue from high above that fills the shades; the glow is narrow.
+  sky.ambient = shown(evened(glm::mix(sky.horizon, sky.zenith, 0.55f + 0.3f * low), 0.35f - 0.2f * low)) +
+                0.5f * kNight;
   sky.bounce =
       sky.ground * glm::vec3(0.85f) * static_cast<float>(std::max(0.15, std::sin(radians(elevation)))) +
       0.12f * sky.ambient;

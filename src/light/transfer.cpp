@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "light/layer.hpp"
 #include "light/octaves.hpp"
 #include "light/sweep.hpp"
 
@@ -30,6 +31,29 @@ constexpr float kSpread = 0.93f;
 /// knows where outside is.
 constexpr float kClear = 0.5f;
 
+/// What light goes through to a cloud's puffs: the cloud, and, for a piece of a layer, what lies about it.
+class Medium {
+ public:
+  Medium(std::span<const shape::Puff> puffs, const ExtinctionGrid& grid)
+      : sweep_(grid), layer_(grid), share_(layerShare(puffs, grid)), cell_(grid.cellMeters()) {}
+
+  float cellMeters() const { return cell_; }
+  void sweepTowards(const glm::vec3& direction) {
+    sweep_.towards(direction);
+    rise_ = direction.y;
+  }
+  /// Optical depth from a point to the outside along the direction of the last sweep.
+  float depthFrom(const glm::vec3& point) const {
+    const float alone = sweep_.at(point);
+    return share_ > 0 ? glm::mix(alone, layer_.depthFrom(point.y, rise_), share_) : alone;
+  }
+
+ private:
+  DepthSweep sweep_;
+  Layer layer_;
+  float share_, cell_, rise_ = 1;
+};
+
 /// Standard deviation of a puff along a direction of the cloud.
 float reachAlong(const shape::Puff& puff, const glm::vec3& direction) {
   return glm::length(puff.sigma * (glm::conjugate(puff.rotation) * direction));
@@ -40,14 +64,13 @@ struct Depths {
   std::vector<float> skin, middle;
 };
 
-Depths depthsTowards(DepthSweep& sweep, std::span<const shape::Puff> puffs, const ExtinctionGrid& grid,
-                     const glm::vec3& direction) {
-  sweep.towards(direction);
+Depths depthsTowards(Medium& medium, std::span<const shape::Puff> puffs, const glm::vec3& direction) {
+  medium.sweepTowards(direction);
   Depths depths;
   for (const shape::Puff& puff : puffs) {
-    const float reach = std::max(kSkin * reachAlong(puff, direction), 0.5f * grid.cellMeters());
-    depths.skin.push_back(std::max(0.0f, sweep.at(puff.center + reach * direction) - kSeenDepth));
-    depths.middle.push_back(sweep.at(puff.center));
+    const float reach = std::max(kSkin * reachAlong(puff, direction), 0.5f * medium.cellMeters());
+    depths.skin.push_back(std::max(0.0f, medium.depthFrom(puff.center + reach * direction) - kSeenDepth));
+    depths.middle.push_back(medium.depthFrom(puff.center));
   }
   return depths;
 }
@@ -122,14 +145,14 @@ struct Place {
   }
 };
 
-std::vector<Place> placesOf(std::span<const shape::Puff> puffs, DepthSweep& sweep, const ExtinctionGrid& grid,
-                            float reduction, std::vector<PuffTransfer>& transfers) {
+std::vector<Place> placesOf(std::span<const shape::Puff> puffs, Medium& medium, float reduction,
+                            std::vector<PuffTransfer>& transfers) {
   const auto& directions = lattice().directions;
   std::vector<Place> places(puffs.size());
   std::vector<float> open(puffs.size());
   std::vector<Depths> depths;
   for (const glm::vec3& direction : directions) {
-    depths.push_back(depthsTowards(sweep, puffs, grid, direction));
+    depths.push_back(depthsTowards(medium, puffs, direction));
     for (std::size_t p = 0; p < puffs.size(); ++p) {
       const float clear = std::exp(-kClear * depths.back().skin[p]);
       places[p].clear.push_back(clear);
@@ -142,6 +165,7 @@ std::vector<Place> placesOf(std::span<const shape::Puff> puffs, DepthSweep& swee
     glm::vec3& normal = places[p].normal;
     normal *= 2.0f / (open[p] + 1e-12f);
     if (glm::dot(normal, normal) > 1) normal = glm::normalize(normal);
+    transfers[p].upward = normal.y;
     for (std::size_t j = 0; j < directions.size(); ++j) {
       const float skin = places[p].skinDepth(directions[j], depths[j].skin[p], depths[j].middle[p]);
       places[p].direct.push_back(transmitted(reduction * skin));
@@ -223,7 +247,14 @@ SunAnswer answer(const Place& place, const glm::vec3& direction, const Beam& bea
               away = 0.25f + strength * (facing(-cosine) - 0.25f);
   return {
       (towards * (beam.before - beam.through()) + away * beam.before * cloud.diffused()) / cloud.opacity(),
-      clear};
+      clear,
+      {}};
+}
+
+/// What has not lost its direction was scattered once, or nearly.
+ScatteredOnce onceOf(const Thickness& cloud, float asymmetry) {
+  const ScatteredOnce thin = scatteredOnce(asymmetry);
+  return {glm::mix(thin.even, 1.0f, cloud.diffused()), glm::mix(thin.towards, 0.0f, cloud.diffused())};
 }
 
 /// The answer that an eleventh of the seen area exceeds, under the best of 12 suns.
@@ -257,9 +288,9 @@ float seenArea(const shape::Puff& puff, const PuffTransfer& transfer) {
 CloudTransfer bakeTransfer(std::span<const shape::Puff> puffs, const ExtinctionGrid& grid, float asymmetry) {
   const Lattice& even = lattice();
   const std::size_t count = even.directions.size();
-  DepthSweep sweep(grid);
+  Medium medium(puffs, grid);
   std::vector<PuffTransfer> transfers(puffs.size());
-  const std::vector<Place> places = placesOf(puffs, sweep, grid, 1.0f - asymmetry, transfers);
+  const std::vector<Place> places = placesOf(puffs, medium, 1.0f - asymmetry, transfers);
   const std::vector<std::vector<Beam>> beams = beamsThrough(places);
   const Thickness cloud = thinnest(puffs, transfers, beams, 1.0f - asymmetry);
   std::vector<float> sun(count), through(count);
@@ -282,18 +313,18 @@ CloudTransfer bakeTransfer(std::span<const shape::Puff> puffs, const ExtinctionG
     }
   }
   const float bright = brightAnswer(puffs, transfers);
-  return {std::move(transfers), bright};
+  return {std::move(transfers), bright, onceOf(cloud, asymmetry)};
 }
 
 std::vector<SunAnswer> bakeSun(std::span<const shape::Puff> puffs, const ExtinctionGrid& grid,
                                float asymmetry, const glm::vec3& sunDirection) {
-  DepthSweep sweep(grid);
+  Medium medium(puffs, grid);
   std::vector<PuffTransfer> transfers(puffs.size());
   const float reduction = 1.0f - asymmetry;
-  const std::vector<Place> places = placesOf(puffs, sweep, grid, reduction, transfers);
+  const std::vector<Place> places = placesOf(puffs, medium, reduction, transfers);
   const std::vector<float> front = lattice().lobeAbout(sunDirection),
                            back = lattice().sideTowards(-sunDirection);
-  const Depths depths = depthsTowards(sweep, puffs, grid, sunDirection);
+  const Depths depths = depthsTowards(medium, puffs, sunDirection);
   const Thickness cloud = thinnest(puffs, transfers, beamsThrough(places), reduction);
   std::vector<SunAnswer> answers;
   for (std::size_t p = 0; p < puffs.size(); ++p) {
@@ -302,6 +333,7 @@ std::vector<SunAnswer> bakeSun(std::span<const shape::Puff> puffs, const Extinct
     const Beam beam{kSpread * about(front, places[p].skin) + (1 - kSpread) * direct,
                     about(back, places[p].middle)};
     answers.push_back(answer(places[p], sunDirection, beam, std::exp(-kClear * depths.skin[p]), cloud));
+    answers.back().once = onceOf(cloud, asymmetry);
   }
   return answers;
 }

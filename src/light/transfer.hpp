@@ -7,6 +7,7 @@
 
 #include "light/extinction_grid.hpp"
 #include "light/harmonics.hpp"
+#include "light/optics.hpp"
 #include "shape/puff.hpp"
 
 namespace cloudgen::light {
@@ -18,6 +19,7 @@ struct PuffTransfer {
   Harmonics through{};   ///< what of the beam comes nearly straight to the skin
   float sky = 0;         ///< under an even sky of radiance 1 above the horizon
   float ground = 0;      ///< over ground of radiance 1; sky + ground is 1 for what does not absorb
+  float upward = 0;      ///< how far the outside about it lies above (1) or below (-1)
   float visibility = 0;  ///< mean transmittance to the outside, 0 for what is hidden all around
 };
 
@@ -26,11 +28,13 @@ struct CloudTransfer {
   std::vector<PuffTransfer> puffs;
   float bright =
       1;  ///< an eleventh of what is seen answers more, under the sun of a lattice that suits it best
+  ScatteredOnce once;  ///< how unevenly it sends out sunlight: less towards the sun, the thinner it is
 };
 
 /// The same for one direction of the sun, not fitted.
 struct SunAnswer {
   float sun = 0, through = 0;
+  ScatteredOnce once;
 };
 
 /// Transfer of each puff inside the medium of `grid`: depths by sweeps in 48 directions, octaves of the

@@ -114,8 +114,10 @@ RawShape shapeFilaments(const Recipe& recipe, const ShapeRequest& request) {
   const int perThread = std::max(4, request.puffs / (bundles * threads));
   // A few threads stand for many: they are broader.
   const double breadth = std::sqrt(34.0 / threads);
-  // The fewer the threads, the more of the ice is told without them.
-  const double hazeShare = std::clamp(12.0 / request.puffs, 0.04, 0.3);
+  // The fewer the threads, the more of the ice is told without them; beside many it would be too faint to be
+  // drawn.
+  constexpr double kFaintestHaze = 0.04;
+  const double hazeShare = std::min(12.0 / request.puffs, 0.3);
   // Bundles of one cloud bend the same way: the wind turns with height.
   const double turning = places.uniform(0.25, 0.7) * (places.uniform() < 0.5 ? -1 : 1);
   RawShape shape;
@@ -143,7 +145,7 @@ RawShape shapeFilaments(const Recipe& recipe, const ShapeRequest& request) {
           std::max(0.3, std::exp(-0.5 * (aside / band) * (aside / band))) * fills.uniform(0.5, 1.0);
       addThread(shape.puffs, thread, request, perThread, section, fills);
     }
-    addHaze(shape.puffs, middle, band, depth, hazeShare, section);
+    if (hazeShare > kFaintestHaze) addHaze(shape.puffs, middle, band, depth, hazeShare, section);
   }
   return shape;
 }

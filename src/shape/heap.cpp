@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numbers>
 
 #include "shape/forms.hpp"
 #include "shape/reduce.hpp"
@@ -11,6 +12,7 @@ namespace cloudgen::shape {
 namespace {
 
 constexpr double kFlatAspect = 0.3;
+constexpr double kShreds = 0.1;  ///< of the puffs, where the recipe is ragged throughout
 constexpr double kSunk =
     0.1;  ///< of a foot's radius: its middle above the base, which cuts it where it is widest
 
@@ -65,6 +67,36 @@ void addField(std::vector<Lobe>& lobes, const Recipe& recipe, const ShapeRequest
   }
 }
 
+/// Fractus and shreds: small thin rags in clumps, beside the foot and in the lee of the turrets, where dry
+/// air tears the cloud.
+void addShreds(std::vector<Puff>& puffs, const std::vector<Lobe>& lobes, int count,
+               base::RandomStream& stream) {
+  constexpr int kOfClump = 12;
+  std::vector<const Lobe*> turrets;
+  for (const Lobe& lobe : lobes)
+    if (lobe.level == 0) turrets.push_back(&lobe);
+  for (int made = 0; made < count; made += kOfClump) {
+    const Lobe& lobe = *turrets[stream.index(static_cast<int>(turrets.size()))];
+    const double angle = 2.0 * std::numbers::pi * stream.uniform();
+    const double size = lobe.radius * stream.uniform(0.15, 0.4);
+    const double out = lobe.radius * stream.uniform(1.0, 1.3) + size;
+    const glm::dvec3 middle(lobe.center.x + out * std::cos(angle),
+                            std::max(1.2 * size, lobe.center.y * stream.uniform(0.3, 1.0)),
+                            lobe.center.z + out * std::sin(angle));
+    for (int i = 0; i < std::min(kOfClump, count - made); ++i) {
+      Puff puff;
+      const double sigma = size * stream.uniform(0.3, 0.6);
+      puff.center = middle + size * glm::dvec3(0.9 * stream.gaussian(), 0.35 * stream.gaussian(),
+                                               0.7 * stream.gaussian());
+      puff.center.y = std::max(puff.center.y, static_cast<float>(1.5 * sigma));
+      puff.sigma = glm::vec3(1.3 * sigma, 0.7 * sigma, sigma);
+      puff.extinctionPerMeter = static_cast<float>(stream.uniform(0.1, 0.45) / puff.sigma.y);
+      puff.section = lobe.section;
+      puffs.push_back(puff);
+    }
+  }
+}
+
 int heapsOfField(const ShapeRequest& request) {
   const double natural = std::pow(request.widthMeters / (1.6 * request.depthMeters), 2.0);
   return std::clamp(static_cast<int>(natural), 3, 400);
@@ -103,7 +135,9 @@ RawShape shapeHeap(const Recipe& recipe, const ShapeRequest& request) {
   if (puffs >= 12 * static_cast<int>(lobes.size())) growLobes(lobes, 2, 7, 0.46, places);
   reachTo(lobes, request.depthMeters);
   RawShape shape;
-  fillLobes(shape.puffs, lobes, recipe, puffs, 0, fills);
+  const int shreds = static_cast<int>(kShreds * recipe.raggedness * puffs);
+  fillLobes(shape.puffs, lobes, recipe, puffs - shreds, 0, fills);
+  addShreds(shape.puffs, lobes, shreds, fills);
   // Liquid water grows with height above the base (adiabatic ascent).
   for (Puff& puff : shape.puffs)
     puff.extinctionPerMeter *=

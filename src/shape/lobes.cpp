@@ -135,20 +135,21 @@ glm::quat turnedAlong(const glm::dvec3& direction) {
 
 void addPrecipitation(std::vector<Puff>& puffs, const Recipe& recipe, const glm::dvec3& center, double radius,
                       double length, int count, base::RandomStream& stream) {
+  constexpr double kLean = 0.35;
   for (int i = 0; i < count; ++i) {
     const double angle = 2.0 * std::numbers::pi * stream.uniform(), r = radius * std::sqrt(stream.uniform());
     const glm::dvec3 foot(center.x + r * std::cos(angle), 0, center.z + r * std::sin(angle));
-    // Curtains: denser where the noise says so, thinning towards the ground.
+    // Curtains: denser where the noise says so, in long streaks that trail behind the cloud and thin towards
+    // the ground.
     const double curtain = base::fractalNoise(foot * (2.2 / radius), 3, 41);
-    const double down = stream.uniform();
+    const double down = stream.uniform(0.08, 1.0);
     Puff puff;
-    const double lean = 0.35 * length * down;
-    puff.center = glm::dvec3(foot.x - lean, center.y - length * down, foot.z);
-    puff.sigma =
-        glm::vec3(radius * 0.05, length * 0.16, radius * 0.05) * static_cast<float>(stream.uniform(0.7, 1.4));
-    puff.rotation = glm::angleAxis(-0.33f, glm::vec3(0, 0, 1));
+    puff.center = glm::dvec3(foot.x - kLean * length * down, center.y - length * down, foot.z);
+    puff.sigma = glm::vec3(radius * 0.045, length * 0.24, radius * 0.045) *
+                 static_cast<float>(stream.uniform(0.6, 1.3));
+    puff.rotation = glm::angleAxis(static_cast<float>(-std::atan(kLean)), glm::vec3(0, 0, 1));
     puff.extinctionPerMeter = static_cast<float>(
-        recipe.precipitation * std::clamp(0.45 + 1.6 * curtain, 0.02, 1.5) * (1.0 - 0.9 * down));
+        recipe.precipitation * std::clamp(0.45 + 1.8 * curtain, 0.02, 1.6) * (1.0 - 0.85 * down));
     puffs.push_back(puff);
   }
 }

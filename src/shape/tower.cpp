@@ -15,13 +15,13 @@ constexpr double kTrunk = -0.24;  ///< the updraught stands upwind of the middle
 /// Radius of the updraught's column in widths at a share of the depth: broad foot, then spreading under the
 /// anvil.
 double columnRadius(double share) {
-  return 0.09 + 0.025 * (1.0 - base::smoothStep(0.0, 0.4, share)) + 0.035 * base::smoothStep(0.6, 0.9, share);
+  return 0.08 + 0.025 * (1.0 - base::smoothStep(0.0, 0.4, share)) + 0.02 * base::smoothStep(0.6, 0.9, share);
 }
 
 /// Rising bubbles wound about a filled core, and the dome that shoots over the anvil.
 void addColumn(std::vector<Lobe>& lobes, const Recipe& recipe, const ShapeRequest& request, int rings,
                int turrets, base::RandomStream& stream) {
-  constexpr double kTop = 0.86, kPuffsOfOne = 1500;
+  constexpr double kTop = 0.78, kPuffsOfOne = 1500;
   // Told by few puffs it stands for several towers.
   const double broad = std::clamp(std::pow(kPuffsOfOne / request.puffs, 0.22), 1.0, 1.8);
   const double width = request.widthMeters, depth = request.depthMeters;
@@ -45,8 +45,19 @@ void addColumn(std::vector<Lobe>& lobes, const Recipe& recipe, const ShapeReques
       lobes.push_back(lobe);
     }
   }
-  const double dome = 0.05 * width;
+  // The dome that overshoots: a cluster, the tallest in the middle.
+  const double dome = 0.06 * width;
   lobes.push_back({{axis(depth), depth - dome, 0}, dome, 7, 0, {0, 1, 0}});
+  for (int bubble = 0; bubble < 5; ++bubble) {
+    const double angle = 2.0 * std::numbers::pi * (bubble + stream.uniform(0, 0.6)) / 5;
+    const double radius = dome * stream.uniform(0.5, 0.8);
+    lobes.push_back({{axis(depth) + dome * std::cos(angle), depth - dome * stream.uniform(1.3, 1.9),
+                      dome * std::sin(angle)},
+                     radius,
+                     7,
+                     0,
+                     glm::normalize(glm::dvec3(std::cos(angle), 1, std::sin(angle)))});
+  }
 }
 
 /// A line of lesser towers on the upwind side, the lower the further they are from the column.
@@ -68,11 +79,15 @@ void addFlankingLine(std::vector<Lobe>& lobes, const ShapeRequest& request, int 
   }
 }
 
-constexpr double kUpwindReach = 0.13, kAnvilLength = 0.9;  ///< of the anvil, in widths
+constexpr double kUpwindReach = 0.16, kAnvilLength = 1.05;  ///< of the anvil, in widths
 
-/// Height of the anvil's underside in depths: it rises downwind and towards the rims.
+/// Height of the anvil's underside in depths: it rises from the column to all sides.
 double anvilUnderside(double along, double across) {
-  return 0.68 + 0.2 * base::smoothStep(0.05, 0.65, along) + 0.1 * across * across;
+  constexpr double kColumn = kUpwindReach / kAnvilLength;
+  const double away = along < kColumn
+                          ? base::smoothStep(0.2 * kColumn, kColumn, kColumn - along + 0.2 * kColumn)
+                          : base::smoothStep(0.0, 0.5, along - kColumn);
+  return 0.70 + 0.14 * away + 0.06 * across * across;
 }
 
 /// Half the anvil's breadth in widths, at a share of its length downwind.
@@ -97,8 +112,8 @@ void addAnvil(std::vector<Puff>& puffs, const ShapeRequest& request, int count, 
     const double streak = base::fractalNoise({11.0 * across, 1.6 * along, 3.1}, 3, noiseSeed + 1);
     const double rim = 1.0 - base::smoothStep(0.4, 1.0, std::abs(across) + 0.4 * streak);
     const double thin = 1.0 - base::smoothStep(reach - 0.7, reach + 0.15, along);
-    const double upwind = base::smoothStep(0.0, 0.07, along);
-    const double upper = 0.93 - 0.02 * along - 0.02 * across * across;
+    const double upwind = base::smoothStep(0.0, 0.1, along);
+    const double upper = 0.90 - 0.015 * along - 0.02 * across * across;
     const double lower = std::min(upper - 0.015, anvilUnderside(along, across) + 0.05 * streak);
     const double half = anvilHalfBreadth(along);
     const double y = depth * (lower + (upper - lower) * stream.uniform());
@@ -110,7 +125,7 @@ void addAnvil(std::vector<Puff>& puffs, const ShapeRequest& request, int count, 
     const double diverging = across * 0.13 / std::sqrt(along + 0.05) / kAnvilLength;
     puff.rotation = turnedAlong({1, 0.03 * stream.gaussian(), diverging});
     puff.extinctionPerMeter =
-        static_cast<float>(1.3 * std::exp(-2.8 * along) * thin * rim * upwind *
+        static_cast<float>(1.3 * std::exp(-2.7 * along) * thin * rim * upwind *
                            std::clamp(0.95 + (1.2 + 2.5 * along) * streak, 0.03, 2.2) / puff.sigma.y);
     puff.section = 9;
     puffs.push_back(puff);
@@ -157,8 +172,8 @@ RawShape shapeTower(const Recipe& recipe, const ShapeRequest& request) {
     puff.extinctionPerMeter *= 0.8f + 0.4f * static_cast<float>(puff.center.y / depth);
   addAnvil(shape.puffs, request, std::max(20, static_cast<int>(0.24 * request.puffs)), fills);
   addFallstreaks(shape.puffs, request, static_cast<int>(0.04 * request.puffs), fills);
-  addPrecipitation(shape.precipitation, recipe, {(kTrunk + 0.02) * width, 0.02 * depth, 0}, 0.1 * width,
-                   0.11 * depth, std::max(6, static_cast<int>(0.04 * request.puffs)), fills);
+  addPrecipitation(shape.precipitation, recipe, {(kTrunk + 0.02) * width, 0, 0}, 0.1 * width, 0.11 * depth,
+                   std::max(6, static_cast<int>(0.04 * request.puffs)), fills);
   for (Puff& puff : shape.precipitation) puff.section = 10;
   return shape;
 }

@@ -60,7 +60,7 @@ RawShape shapeVeil(const Recipe& recipe, const ShapeRequest& request) {
       }
     }
   if (recipe.precipitation > 0)
-    addPrecipitation(shape.precipitation, recipe, {0, 0.1 * depth, 0}, 0.55 * width,
+    addPrecipitation(shape.precipitation, recipe, {0, 0, 0}, 0.55 * width,
                      std::min(0.45 * depth, 1400.0), std::max(8, request.puffs / 8), fills);
   std::stable_sort(shape.puffs.begin(), shape.puffs.end(),
                    [](const Puff& a, const Puff& b) { return a.section < b.section; });

@@ -62,5 +62,15 @@ TEST(Phase, DropletsScatterForwardAsCloudsDo) {
   EXPECT_EQ(dropletPhase(2).peakG, dropletPhase(5).peakG);
 }
 
+TEST(Optics, TheLineOfLightScatteredOnceMeetsThePhaseFunction) {
+  for (const double g : {0.0, 0.79, 0.85}) {
+    const ScatteredOnce once = scatteredOnce(g);
+    const auto at = [&](double cosine) { return once.even + once.towards * (0.25 + 0.5 * cosine); };
+    EXPECT_NEAR(at(0), 1, 1e-6) << g;
+    EXPECT_NEAR(at(-1), henyeyGreenstein(-1, g) / henyeyGreenstein(0, g), 1e-6) << g;
+    EXPECT_GE(at(1), 1) << g;
+  }
+}
+
 }  // namespace
 }  // namespace cloudgen::light

@@ -170,7 +170,8 @@ TEST_P(EveryGenusLit, TopsAreBrightUnderAHighSun) {
   RecordProperty("top", std::to_string(top));
   // Photons leave the level top of the block above at 0.73 of white under a sun in the zenith, its lit side
   // at 0.60; the tops of heaps are wisps that face all ways, under a sun at 45 degrees.
-  EXPECT_GT(top, 0.52);
+  // What is thin sends most of the light on: the blue of the sky behind it is a part of what one sees.
+  EXPECT_GT(top, test::recipeOf(GetParam()).opticalDepth < 2 ? 0.2 : 0.52);
 }
 
 // One transfer for every sun: what the harmonics lose of the answers that are baked for one sun.
