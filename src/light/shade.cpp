@@ -20,6 +20,9 @@ constexpr float kSkyAtNoon = 0.45f, kSkyWithoutSun = 0.16f;
 /// What a thick cloud's bright faces answer. Those of thinner ones are shown brighter, as the sky behind them
 /// is, but by no more than this; what comes out below is not.
 constexpr float kFace = 0.8f, kBrighter = 2.1f;
+/// Level tops take a slanting sun by the sine of its height; they reflect more of it then than of a high one,
+/// and an eye that looks down on a deck gets used to the rest, down to this sine.
+constexpr float kLift = 0.9f, kLowest = 0.3f;
 /// Undersides of thick clouds beside faces that a camera is set for.
 constexpr float kBelow = 0.6f;
 
@@ -53,6 +56,7 @@ std::vector<PuffLight> shadePuffs(std::span<const shape::Puff> puffs, const Clou
   const float skyShare = glm::mix(kSkyWithoutSun, kSkyAtNoon, std::min(1.0f, luminance(lighting.sunColor)));
   const float face = luminance(kSun * lighting.sunColor + skyShare * lighting.sky.ambient) + 1e-6f;
   const float exposure = std::min(1.38f / face, kMostExposure);
+  const float lift = std::pow(std::max(lighting.sunDirection.y, kLowest), -kLift);
   const float thick = std::max(0.0f, 1 - cloud.once.towards);
   const float bright = std::max(cloud.bright, kFace / kBrighter);
   const Harmonics harmonics = harmonicsOf(lighting.sunDirection);
@@ -65,7 +69,8 @@ std::vector<PuffLight> shadePuffs(std::span<const shape::Puff> puffs, const Clou
     const float below = thick * glm::smoothstep(0.0f, 0.7f, -transfer.upward);
     const float sun =
         std::clamp(dot(transfer.sun, harmonics) / glm::mix(bright, kFace / kBelow, below), 0.0f, 1.15f);
-    const float lit = glm::mix(glm::mix(0.9f, 0.4f, below), sun, shading);
+    const float level = thick * glm::smoothstep(0.75f, 1.0f, transfer.upward);
+    const float lit = glm::mix(1.0f, lift, level) * glm::mix(glm::mix(0.9f, 0.4f, below), sun, shading);
     const glm::vec3 radiance = kSun * lighting.sunColor * cloud.once.even * lit +
                                skyShare * lighting.sky.ambient * glm::mix(1.0f, transfer.sky, shading) +
                                kGround * lighting.sky.bounce * glm::mix(0.5f, transfer.ground, shading);
