@@ -56,6 +56,7 @@ inline const std::array kLibraries{
     Library{"libnova/", {"src/light/"}},
     Library{"valijson/", {"src/pipeline/"}},
     Library{"CLI/", {"src/cli/"}},
+    Library{"zlib.h", {"src/base/gzip.cpp"}},
     Library{"CL/", {}},
     Library{"Magick", {}},
 };
@@ -68,6 +69,7 @@ inline const std::set<std::string_view> kJsonOwners{"src/shape/recipe.cpp",
                                                     "src/input/",
                                                     "src/writer/",
                                                     "src/check/gltf/",
+                                                    "src/check/tiles3d/",
                                                     "src/check/report/",
                                                     "src/cli/"};
 
