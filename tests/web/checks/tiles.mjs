@@ -43,11 +43,11 @@ function drawnMiddle(full, empty, [x, y], reach) {
   return {sum, middle: [sumX / sum, sumY / sum]};
 }
 
-/** Clouds whose neighbours are farther off than `reach` pixels twice, and which are not at the border. */
+/** Clouds whose neighbours are farther off than `reach` pixels three times, so that none reaches into what is measured, and which are not at the border. */
 function aloneOnScreen(places, reach) {
   const inside = ([x, y]) => x > reach && y > reach && x < SIZE.width - reach && y < SIZE.height - reach;
   return places.map((place, i) => [place, i]).filter(([place, i]) =>
-    inside(place) && places.every((other, j) => i === j || Math.hypot(place[0] - other[0], place[1] - other[1]) > 2 * reach));
+    inside(place) && places.every((other, j) => i === j || Math.hypot(place[0] - other[0], place[1] - other[1]) > 3 * reach));
 }
 
 /**
@@ -80,7 +80,7 @@ export async function tilesStandInPlace(address, folder, picturePath) {
     const complaints = [...seen.errors, ...seen.warnings].filter((text) => !NOT_OF_THE_TILESET.test(text));
     if (complaints.length) throw new Error(`the viewer complains: ${complaints.slice(0, 3).join('; ')}`);
     const [a, b] = [full, empty].map((png) => pngjs.PNG.sync.read(png));
-    const reach = 12;
+    const reach = 8;
     const offs = aloneOnScreen(expected, reach).map(([place]) => {
       const {sum, middle} = drawnMiddle(a, b, place, reach);
       if (!(sum > 0)) throw new Error(`no cloud is drawn at ${place.map(Math.round)}`);
