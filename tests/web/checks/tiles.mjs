@@ -6,7 +6,7 @@ import {fileURLToPath} from 'node:url';
 import {build} from 'esbuild';
 import pngjs from 'pngjs';
 import {withPage} from '../lib/browser.mjs';
-import {expectDrawn, keep} from '../lib/picture.mjs';
+import {changedShare, keep} from '../lib/picture.mjs';
 import {until} from './drawing.mjs';
 
 const SIZE = {width: 960, height: 540};
@@ -76,7 +76,7 @@ export async function tilesStandInPlace(address, folder, picturePath) {
       clouds.map(({longitude, latitude, base_m, top_m}) => [longitude, latitude, (base_m + top_m) / 2]));
     await page.evaluate(() => window.removeClouds());
     const empty = await shot('.empty');
-    const share = expectDrawn(full, empty);
+    const share = `${(100 * changedShare(full, empty)).toFixed(2)} %`;
     const complaints = [...seen.errors, ...seen.warnings].filter((text) => !NOT_OF_THE_TILESET.test(text));
     if (complaints.length) throw new Error(`the viewer complains: ${complaints.slice(0, 3).join('; ')}`);
     const [a, b] = [full, empty].map((png) => pngjs.PNG.sync.read(png));
