@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "writer/tiles3d/tile_content.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "base/file.hpp"
 #include "base/gzip.hpp"
@@ -83,7 +86,7 @@ std::vector<Splat> splatsOn(const TilePlane& plane, const Placement& placement,
 /// The accessors that a packed primitive has, without bytes of their own. Some viewers count those of the
 /// harmonics to learn the degree, so that of degree 0, which is COLOR_0, is left out.
 Attributes unpackedAttributes(GlbFile& file, std::span<const Splat> splats) {
-  const std::string prefix = std::string(gltf::kSplatting) + ":";
+  const auto splatting = [](std::string_view name) { return fmt::format("{}:{}", gltf::kSplatting, name); };
   glm::dvec3 lower(1e30), upper(-1e30);
   for (const Splat& splat : splats) {
     lower = glm::min(lower, glm::dvec3(splat.center) / kMetersPerUnit);
@@ -91,10 +94,10 @@ Attributes unpackedAttributes(GlbFile& file, std::span<const Splat> splats) {
   }
   Attributes attributes{{"POSITION", file.addUnpackedPositions(splats.size(), lower, upper)},
                         {"COLOR_0", file.addUnpacked(4, splats.size(), true)},
-                        {prefix + "SCALE", file.addUnpacked(3, splats.size())},
-                        {prefix + "ROTATION", file.addUnpacked(4, splats.size())}};
+                        {splatting("SCALE"), file.addUnpacked(3, splats.size())},
+                        {splatting("ROTATION"), file.addUnpacked(4, splats.size())}};
   for (int k = 0; k < 3; ++k)
-    attributes.emplace_back(prefix + "SH_DEGREE_1_COEF_" + std::to_string(k),
+    attributes.emplace_back(splatting(fmt::format("SH_DEGREE_1_COEF_{}", k)),
                             file.addUnpacked(3, splats.size()));
   return attributes;
 }
@@ -118,14 +121,14 @@ void addOpticalDepths(GlbFile& file, std::span<const Splat> splats) {
   values["description"] = "Natural logarithm of the optical depth through the centre along the shortest axis";
   values["offset"] = least;
   values["scale"] = range;
-  file.addExtension(
-      "EXT_structural_metadata",
-      {{"schema",
-        {{"id", "cloudgen_splats"}, {"classes", {{"splat", {{"properties", {{"logOpticalDepth", values}}}}}}}}},
-       {"propertyTables",
-        {{{"class", "splat"},
-          {"count", splats.size()},
-          {"properties", {{"logOpticalDepth", {{"values", file.addBytes(bytes)}}}}}}}}});
+  file.addExtension("EXT_structural_metadata",
+                    {{"schema",
+                      {{"id", "cloudgen_splats"},
+                       {"classes", {{"splat", {{"properties", {{"logOpticalDepth", values}}}}}}}}},
+                     {"propertyTables",
+                      {{{"class", "splat"},
+                        {"count", splats.size()},
+                        {"properties", {{"logOpticalDepth", {{"values", file.addBytes(bytes)}}}}}}}}});
 }
 
 void addPackedSplats(GlbFile& file, const std::string& name, std::span<const Splat> splats,

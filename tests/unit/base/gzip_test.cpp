@@ -22,7 +22,9 @@ TEST(Gzip, GivesBackWhatItTook) {
 }
 
 TEST(Gzip, BrokenAndOverlongIsRefused) {
-  const std::string packed = gzipped(std::string(10'000, 'a') + "b");
+  std::string text(10'001, 'a');
+  text.back() = 'b';
+  const std::string packed = gzipped(text);
   EXPECT_THROW(unzipped(packed, "test", 9'999), InputError) << "a bomb is not unpacked";
   EXPECT_THROW(unzipped("", "test", 100), InputError);
   EXPECT_THROW(unzipped("plain", "test", 100), InputError);
