@@ -6,15 +6,17 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "check/gltf/validate_glb.hpp"
+#include "check/pack/validate_pack.hpp"
 #include "check/vrml/validate_vrml.hpp"
 #include "check/xsd/validate_x3d.hpp"
 
 namespace cloudgen::check {
 
 std::span<const FileKind> fileKinds() {
-  static constexpr std::array<FileKind, 4> kKinds{{
+  static constexpr std::array<FileKind, 5> kKinds{{
       {".x3d", "X3D in XML encoding", validateX3d},
       {".glb", "binary glTF 2.0, Gaussian splats too", validateGlb},
+      {".cgpack", "realtime runtime pack", validatePack},
       {".wrl", "VRML97", validateVrml},
       {".x3dv", "X3D in ClassicVRML encoding", validateVrml},
   }};

@@ -47,10 +47,11 @@ void refuseWhatIsNotBuilt(const BuildLine& line) {
 
 void refuseWhatCannotBeVerified(const BuildLine& line, std::span<const writer::Format* const> formats) {
   const bool read = std::any_of(formats.begin(), formats.end(), [](const writer::Format* format) {
-    return format->name == "x3d" || format->name == "splats" || format->name == "glb";
+    return format->name == "x3d" || format->name == "splats" || format->name == "glb" ||
+           format->name == "pack";
   });
   if (line.verify && !read)
-    throw base::UsageError("--verify", "reads x3d, splats or glb, and none is written",
+    throw base::UsageError("--verify", "reads x3d, splats, glb or pack, and none is written",
                            "add one of them to --formats");
 }
 

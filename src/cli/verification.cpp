@@ -9,14 +9,16 @@ namespace cloudgen::cli {
 
 check::WrittenScene readWritten(const std::filesystem::path& folder, const std::string& format,
                                 const base::Progress& progress) {
-  const auto splats = folder / "scene.splats.glb", x3d = folder / "scene.x3d", glb = folder / "scene.glb";
+  const auto splats = folder / "scene.splats.glb", x3d = folder / "scene.x3d", glb = folder / "scene.glb",
+             pack = folder / "scene.cgpack";
   const bool hasSplats = std::filesystem::exists(splats), hasX3d = std::filesystem::exists(x3d);
   progress.step("verify: read", 0);
   std::string chosen = format;
-  if (format == "auto") chosen = hasSplats ? "splats" : hasX3d ? "x3d" : "glb";
+  if (format == "auto") chosen = std::filesystem::exists(pack) ? "pack" : hasSplats ? "splats" : hasX3d ? "x3d" : "glb";
   if (format == "auto" && chosen == "glb" && !std::filesystem::exists(glb))
-    throw base::InputError(folder.string(), "has no scene.splats.glb, scene.x3d or scene.glb",
-                           "build it with --formats x3d, splats or glb");
+    throw base::InputError(folder.string(), "has no scene.cgpack, scene.splats.glb, scene.x3d or scene.glb",
+                           "build it with --formats pack, x3d, splats or glb");
+  if (chosen == "pack") return check::readPackScene(pack);
   if (chosen == "x3d") return check::readX3dScene(x3d, progress);
   if (chosen == "glb") return check::readGlbScene(glb);
   check::WrittenScene scene = check::readSplatScene(splats);

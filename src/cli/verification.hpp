@@ -11,9 +11,9 @@
 
 namespace cloudgen::cli {
 
-/// Reads the scene of a folder for verification: "x3d", "splats" or "glb"; "auto" takes the splats if they
-/// are there, as they keep every puff, and the names of the clouds from the X3D beside them; else X3D, else
-/// GLB. Throws InputError if it is not there.
+/// Reads the scene of a folder for verification: "pack", "x3d", "splats" or "glb"; "auto" takes the pack
+/// if it is there, as it keeps every puff, how dense it is and the names of the clouds; else the splats, with the
+/// names from the X3D beside them; else X3D, else GLB. Throws InputError if it is not there.
 check::WrittenScene readWritten(const std::filesystem::path& folder, const std::string& format,
                                 const base::Progress& progress);
 

@@ -6,6 +6,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "writer/gltf/gltf.hpp"
+#include "writer/pack/pack.hpp"
 #include "writer/page/page.hpp"
 #include "writer/x3d/x3d.hpp"
 
@@ -18,14 +19,15 @@ std::span<const Format> formats() {
       {"vrml", "VRML97", {"scene.wrl"}, writeVrml97},
       {"splats", "Gaussian splats: glTF with KHR_gaussian_splatting", {"scene.splats.glb"}, writeSplats},
       {"glb", "core glTF 2.0: instanced crossed cards", {"scene.glb"}, writeCards},
+      {"pack", "realtime runtime pack (FlatBuffers)", {"scene.cgpack"}, writePack},
       {"page", "a page that opens in any browser (shows the splats)", {"index.html"}, writePage, true},
   };
   return kFormats;
 }
 
 std::span<const std::pair<std::string_view, std::string_view>> formatsNotBuilt() {
-  static constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kLater{
-      {{"tiles", "3D Tiles 1.1"}, {"pack", "realtime runtime pack"}, {"vdb", "OpenVDB volume"}}};
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kLater{
+      {{"tiles", "3D Tiles 1.1"}, {"vdb", "OpenVDB volume"}}};
   return kLater;
 }
 

@@ -40,6 +40,13 @@ WrittenScene readSplatScene(const std::filesystem::path& file);
 /// The same from bytes; `where` names them in messages.
 WrittenScene readSplatScene(std::string_view bytes, const std::string& where);
 
+/// Reads scene.cgpack: the puffs of the first level of every cloud, whose optical depths are written as such.
+/// Throws InputError where validatePack finds an error.
+WrittenScene readPackScene(const std::filesystem::path& file);
+
+/// The same from bytes; `where` names them in messages.
+WrittenScene readPackScene(std::string_view bytes, const std::string& where);
+
 /// Reads the clouds of scene.x3d as a viewer far off draws them, but near enough for the first level of every
 /// LOD: cards (pairs of triangles with an RGBA colour and a sprite texture) whose sprite falls off as a
 /// Gaussian of 1/2.2 of the half side and ends at the border, of optical depth -ln(1 - alpha); back faces are

@@ -40,19 +40,6 @@ scene::Instance relativeTo(const glm::dvec3& center, scene::Instance instance) {
   return instance;
 }
 
-/// Across alone: base and top stay where they are.
-shape::Puff widened(shape::Puff puff) {
-  constexpr float kCovering = 0.015f;  // many overlap
-  const float by = shape::blendedWidening(shape::frontalOpticalDepth(puff), kCovering);
-  const glm::mat3 axes = glm::mat3_cast(puff.rotation);
-  for (int i = 0; i < 3; ++i) {
-    const float along = glm::mix(by, 1.0f, axes[i].y * axes[i].y);
-    puff.sigma[i] *= along;
-    puff.extinctionPerMeter /= along;
-  }
-  return puff;
-}
-
 /// Light in the encoded colour space in which viewers add harmonics. Looking at an angle with cosine mu to
 /// the sun, a puff shows its colour plus max(0, mu) of what is encoded with the forward light added; degrees
 /// 0 and 1 that fit this best (least squares over the sphere) are a quarter and half of it.
@@ -84,7 +71,7 @@ std::vector<Splat> splatsOf(const scene::Scene& scene, const scene::Tile& tile) 
     const scene::LitArchetype& lit = scene.lit[cloud.lit];
     const auto& puffs = scene.archetypes[lit.archetype].puffs;
     for (std::uint32_t p = 0; p < lit.puffs.size(); ++p) {
-      const shape::Puff puff = widened(scene::placed(scene, cloud, puffs[p]));
+      const shape::Puff puff = shape::widenedAcross(scene::placed(scene, cloud, puffs[p]));
       if (splatOpacity(puff) >= kLeastOpacity)
         places.push_back({mortonOf(puff.center, lower, metersPerStep), i, p});
     }
@@ -97,7 +84,7 @@ std::vector<Splat> splatsOf(const scene::Scene& scene, const scene::Tile& tile) 
     const scene::Instance cloud = relativeTo(center, scene.instances[place.instance]);
     const scene::LitArchetype& lit = scene.lit[cloud.lit];
     const shape::Puff puff =
-        widened(scene::placed(scene, cloud, scene.archetypes[lit.archetype].puffs[place.puff]));
+        shape::widenedAcross(scene::placed(scene, cloud, scene.archetypes[lit.archetype].puffs[place.puff]));
     Splat splat{puff.center, puff.sigma, glm::normalize(puff.rotation), splatOpacity(puff),
                 shape::frontalOpticalDepth(puff)};
     shade(splat, light::inShadow(lit.puffs[place.puff], cloud.sunlight, scene.sun.color, scene.sky),
