@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # All tests, from a clean clone: bash tests/run.sh
 # Installs the Debian packages that are missing, builds with warnings as errors (build/dev), runs ctest (unit tests, the rules of
-# the house, the command line, the fuzzers' seeds), compiles four skies and opens them in the viewers that people use.
+# the house, the command line, the fuzzers' seeds), compiles skies and opens them in the viewers that people use.
 # The last line counts: "N passed, N failed". The exit code is 0 only if nothing failed.
 set -uo pipefail
 # shellcheck source=tools/setup.sh
@@ -51,7 +51,7 @@ fi
 say "What each real input gave (cli_Inputs)"
 grep -a '^| ' build/dev/Testing/Temporary/LastTest.log || echo "nothing: ../shared/data is not there"
 
-say "Four skies, and what the validator says of them"
+say "Skies, and what the validator says of them"
 scenes=build/scenes
 rm -rf "$scenes"
 mkdir -p "$scenes"
@@ -74,6 +74,11 @@ make_sky regional "$forecast" --bbox "$regional_box"
 # Browsers render in software here: two heaps of clouds in less detail, without the page that the first two have.
 for name in cumulus cumulonimbus; do
   make_sky "$name" "examples/gallery/$name.sky.json" --max-puffs 30000 --formats x3d,vrml,splats,glb
+done
+# Tilesets of few clouds, that each can be told from the others: for CesiumJS and for three.js.
+for content in spz splats; do
+  make_sky "tiles_$content" examples/gallery/cumulus.sky.json --max-puffs 30000 --formats splats,tiles --tiles "$content"
+  part "validate tiles_$content/tileset.json" "$cloudgen" validate "$scenes/tiles_$content/tileset.json"
 done
 
 say "In browsers and viewers"

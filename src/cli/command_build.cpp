@@ -25,12 +25,12 @@ namespace {
 /// The command line as written.
 struct BuildLine {
   InputLine input;
-  std::string output, box, formats, sun = "auto", frame = "local", types, typing, shard, maxMemory;
+  std::string output, box, formats, sun = "auto", frame = "local", types, typing, shard, maxMemory, tiles = "spz";
   ShapeLine shape;
   double typingWindowMinutes = 180;
   std::uint64_t seed = 1, maxPuffs = 200'000;
   int threads = 0;
-  bool overwrite = false, json = false, verify = false;
+  bool overwrite = false, json = false, verify = false, tilesGzip = false;
 };
 
 void refuseWhatIsNotBuilt(const BuildLine& line) {
@@ -48,10 +48,10 @@ void refuseWhatIsNotBuilt(const BuildLine& line) {
 void refuseWhatCannotBeVerified(const BuildLine& line, std::span<const writer::Format* const> formats) {
   const bool read = std::any_of(formats.begin(), formats.end(), [](const writer::Format* format) {
     return format->name == "x3d" || format->name == "splats" || format->name == "glb" ||
-           format->name == "pack";
+           format->name == "pack" || format->name == "tiles";
   });
   if (line.verify && !read)
-    throw base::UsageError("--verify", "reads x3d, splats, glb or pack, and none is written",
+    throw base::UsageError("--verify", "reads x3d, splats, glb, pack or tiles, and none is written",
                            "add one of them to --formats");
 }
 
@@ -127,6 +127,8 @@ int build(const BuildLine& line, const Terminal& terminal) {
   const pipeline::Outcome outcome = pipeline::run(*source, options, progress);
   watch.lap("pipeline");
   writer::Destination destination{folder.path(), progress};
+  destination.tiles = {line.tiles == "splats" ? writer::TileContent::Splats : writer::TileContent::Packed,
+                       line.tilesGzip};
   const auto write = [&](bool showingVerification) {
     for (const writer::Format* format : formats) {
       if (format->showsVerification != showingVerification) continue;
@@ -179,7 +181,7 @@ std::function<int()> setupBuild(CLI::App& options, const Terminal& terminal) {
   options.add_option("--bbox", line->box,
                      "west,south,east,north in degrees (default: the whole model domain)");
   options.add_option("--formats", line->formats,
-                     "comma-separated list; `cloudgen formats` lists them (default: all that are built)");
+                     "comma-separated list; `cloudgen formats` lists them (default: all but tiles)");
   options.add_option("--seed", line->seed, "another seed, another sky of the same statistics")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
@@ -211,6 +213,14 @@ std::function<int()> setupBuild(CLI::App& options, const Terminal& terminal) {
   options.add_option("--shape-variable", line->shape.variable,
                      "the grid or variable of a volume (default: density, or cloud water)");
   options.add_flag("--shape-z-up", line->shape.zUp, "z of a mesh or a .vdb is up, not y");
+  options
+      .add_option("--tiles", line->tiles,
+                  "what 3D Tiles hold: spz (splats packed small, what CesiumJS draws) or splats (plain, what "
+                  "three.js draws)")
+      ->check(CLI::IsMember({"spz", "splats"}))
+      ->capture_default_str();
+  options.add_flag("--tiles-gzip", line->tilesGzip,
+                   "3D Tiles as gzip under their own names; the server must say Content-Encoding: gzip");
   options.add_option("--shard", line->shard, "I/N: only a share of the tiles (not built yet)");
   options.add_option("--max-memory", line->maxMemory, "limit of memory (not built yet)");
   const auto config = std::make_shared<std::string>();

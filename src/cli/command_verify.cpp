@@ -94,7 +94,7 @@ int verify(const VerifyLine& line, const Terminal& terminal) {
     terminal.warn(fmt::format("the scene is valid at {}, the input at {}", report.validTime,
                               base::isoText(source->info().validTime)));
   const check::Tolerances tolerances;
-  check::WrittenScene scene = readWritten(line.folder, line.format, progress);
+  check::WrittenScene scene = readWritten(line.folder, line.format, frame, progress);
   scene.groundMeters = report.groundMeters;
   const check::Fidelity fidelity =
       check::compareWithModel(scene, frame, *source, typing.get(), tolerances, progress);
@@ -121,8 +121,8 @@ std::function<int()> setupVerify(CLI::App& options, const Terminal& terminal) {
       ->capture_default_str();
   options
       .add_option("--format", line->format,
-                  "which file to read: x3d, splats, glb, pack or auto (the best that is there)")
-      ->check(CLI::IsMember({"auto", "x3d", "splats", "glb", "pack"}))
+                  "which file to read: x3d, splats, glb, pack, tiles or auto (the best that is there)")
+      ->check(CLI::IsMember({"auto", "x3d", "splats", "glb", "pack", "tiles"}))
       ->capture_default_str();
   options.add_option(
       "-o,--output", line->maps,

@@ -11,11 +11,12 @@
 
 namespace cloudgen::cli {
 
-/// Reads the scene of a folder for verification: "pack", "x3d", "splats" or "glb"; "auto" takes the pack
-/// if it is there, as it keeps every puff, how dense it is and the names of the clouds; else the splats, with the
-/// names from the X3D beside them; else X3D, else GLB. Throws InputError if it is not there.
+/// Reads the scene of a folder for verification: "pack", "x3d", "splats", "glb" or "tiles", which stand on the globe
+/// and are taken back to the frame; "auto" takes the pack if it is there, as it keeps every puff, how dense it is and
+/// the names of the clouds; else the splats, with the names from the X3D beside them; else X3D, GLB, tiles. Throws
+/// InputError if it is not there.
 check::WrittenScene readWritten(const std::filesystem::path& folder, const std::string& format,
-                                const base::Progress& progress);
+                                const base::LocalFrame& frame, const base::Progress& progress);
 
 /// Reads a scene that a build has written to a folder ("auto") on ground of a height, compares it with its
 /// model and draws the maps into its folder verify/. Returns what fidelityJson says. Throws InputError,

@@ -19,6 +19,7 @@ void add(PuffResponse& sum, float weight, const PuffResponse& one) {
   sum.sky += weight * one.sky;
   sum.ground += weight * one.ground;
   sum.seen += weight * one.seen;
+  sum.level += weight * one.level;
 }
 
 }  // namespace
@@ -44,6 +45,7 @@ CloudResponse responseOf(std::span<const shape::Puff> puffs, const CloudTransfer
     puff.ground = kGround * glm::mix(kFlatGround, transfer.ground, shading);
     puff.seen = glm::smoothstep(kHidden, kSeen, transfer.visibility);
     puff.weight = seenArea(puffs[i], transfer);
+    puff.level = thick * levelOf(transfer);
     response.puffs.push_back(puff);
   }
   return response;

@@ -17,6 +17,7 @@ struct PuffResponse {
   float ground = 0;     ///< radiance over Sky::bounce of 1
   float seen = 1;       ///< share of its own tone that it shows; the rest is the cloud's mean tone
   float weight = 0;     ///< in that mean
+  float level = 0;      ///< how far it is a level top, which a slanting sun lights more than the harmonics say (kLift)
 };
 
 /// The answers of a cloud's puffs, in their order.

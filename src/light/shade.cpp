@@ -32,6 +32,7 @@ std::vector<PuffLight> shadePuffs(std::span<const shape::Puff> puffs, const Clou
   const float skyShare = glm::mix(kSkyWithoutSun, kSkyAtNoon, std::min(1.0f, luminance(lighting.sunColor)));
   const float face = luminance(kSun * lighting.sunColor + skyShare * lighting.sky.ambient) + 1e-6f;
   const float exposure = std::min(kWhite / face, kMostExposure);
+  const float lift = std::pow(std::max(lighting.sunDirection.y, kLowest), -kLift);
   const float thick = std::max(0.0f, 1 - cloud.once.towards);
   const float bright = std::max(cloud.bright, kFace / kBrighter);
   const Harmonics harmonics = harmonicsOf(lighting.sunDirection);
@@ -44,7 +45,8 @@ std::vector<PuffLight> shadePuffs(std::span<const shape::Puff> puffs, const Clou
     const float below = thick * glm::smoothstep(0.0f, 0.7f, -transfer.upward);
     const float sun =
         std::clamp(dot(transfer.sun, harmonics) / glm::mix(bright, kFace / kBelow, below), 0.0f, kMostSun);
-    const float lit = glm::mix(glm::mix(kFlatSun, kFlatBelow, below), sun, shading);
+    const float level = thick * levelOf(transfer);
+    const float lit = glm::mix(1.0f, lift, level) * glm::mix(glm::mix(kFlatSun, kFlatBelow, below), sun, shading);
     const glm::vec3 radiance = kSun * lighting.sunColor * cloud.once.even * lit +
                                skyShare * lighting.sky.ambient * glm::mix(kFlatSky, transfer.sky, shading) +
                                kGround * lighting.sky.bounce * glm::mix(kFlatGround, transfer.ground, shading);

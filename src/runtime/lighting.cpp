@@ -146,6 +146,7 @@ void Lighting::lightRow(std::uint32_t index, std::uint32_t yawStep, float exposu
     weights[i] *= archetype.sun_scale()->Get(static_cast<std::uint32_t>(i)) / 127;
     forward[i] *= archetype.forward_scale()->Get(static_cast<std::uint32_t>(i)) / 127;
   }
+  const float lift = std::pow(std::fmax(direction_.y, pack_->root().lift_lowest()), -pack_->root().lift_power());
   const std::uint32_t first = firstPuff(info), end = endPuff(info);
   PuffColor* const colors = colors_.data() + rows_[index * kYawSteps + yawStep];
   Vec3 mean;
@@ -153,7 +154,9 @@ void Lighting::lightRow(std::uint32_t index, std::uint32_t yawStep, float exposu
   for (std::uint32_t p = first; p < end; ++p) {
     const pack::Response& response = pack_->responses()[p];
     const auto* const bytes = reinterpret_cast<const std::int8_t*>(&response);
-    const float answer = std::fmin(std::fmax(dotOf(bytes, weights), archetype.sun_least()), archetype.sun_most());
+    const float level = static_cast<float>(pack_->puffs()[p].level()) / 255;
+    const float answer = (1 + level * (lift - 1)) *
+                         std::fmin(std::fmax(dotOf(bytes, weights), archetype.sun_least()), archetype.sun_most());
     const Vec3 radiance = sun * answer + ambient * (static_cast<float>(response.sky()) / 255) +
                           sky_.bounce * (static_cast<float>(response.ground()) / 255);
     const Vec3 color = developed(tone, radiance * exposure, face);

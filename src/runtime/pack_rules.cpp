@@ -115,7 +115,8 @@ Status lightOf(const pack::RuntimePack& root) {
   for (const pack::Vec3* color : *root.sun_colors())
     if (!finite(*color)) return {"the sun has no colour"};
   return finite(root.sun()->direction()) && std::isfinite(root.sun()->azimuth_degrees()) &&
-                 std::isfinite(root.sun()->elevation_degrees()) && allFinite(*root.tone())
+                 std::isfinite(root.sun()->elevation_degrees()) && allFinite(*root.tone()) &&
+                     root.lift_lowest() >= 0.01f && root.lift_lowest() <= 1 && root.lift_power() >= 0 && root.lift_power() <= 4
              ? Status{}
              : Status{"the sun has no direction, or the tone curve no figures"};
 }

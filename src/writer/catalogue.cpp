@@ -8,6 +8,7 @@
 #include "writer/gltf/gltf.hpp"
 #include "writer/pack/pack.hpp"
 #include "writer/page/page.hpp"
+#include "writer/tiles3d/tiles3d.hpp"
 #include "writer/x3d/x3d.hpp"
 
 namespace cloudgen::writer {
@@ -20,21 +21,24 @@ std::span<const Format> formats() {
       {"splats", "Gaussian splats: glTF with KHR_gaussian_splatting", {"scene.splats.glb"}, writeSplats},
       {"glb", "core glTF 2.0: instanced crossed cards", {"scene.glb"}, writeCards},
       {"pack", "realtime runtime pack (FlatBuffers)", {"scene.cgpack"}, writePack},
-      {"page", "a page that opens in any browser (shows the splats)", {"index.html"}, writePage, true},
+      {"tiles", "3D Tiles 1.1: a quadtree of splats on the globe", {"tileset.json"}, writeTiles, true},
+      {"page", "a page that opens in any browser (shows the splats)", {"index.html"}, writePage, false, true},
   };
   return kFormats;
 }
 
 std::span<const std::pair<std::string_view, std::string_view>> formatsNotBuilt() {
-  static constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kLater{
-      {{"tiles", "3D Tiles 1.1"}, {"vdb", "OpenVDB volume"}}};
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 1> kLater{
+      {{"vdb", "OpenVDB volume"}}};
   return kLater;
 }
 
 std::vector<const Format*> chosenFormats(const std::string& list) {
   std::vector<std::string> wanted;
   if (list.empty() || list == "default")
-    for (const Format& format : formats()) wanted.emplace_back(format.name);
+    for (const Format& format : formats()) {
+      if (!format.onlyOnRequest) wanted.emplace_back(format.name);
+    }
   else
     wanted = base::split(list, ',');
   std::vector<std::string> known;

@@ -11,6 +11,17 @@
 
 namespace cloudgen::writer {
 
+/// What the tiles of a tileset hold.
+enum class TileContent {
+  Packed,  ///< splats packed as SPZ: small, and what CesiumJS draws
+  Splats   ///< splats as plain columns: what three.js and Babylon.js draw
+};
+
+struct TilesOptions {
+  TileContent content = TileContent::Packed;
+  bool gzip = false;  ///< files are gzip under their own names; servers must say Content-Encoding: gzip
+};
+
 /// Where a writer puts its files, and whom it tells how far it is.
 struct Destination {
   std::filesystem::path folder;  ///< exists; files of other formats may already be in it
@@ -18,6 +29,7 @@ struct Destination {
   /// What verify found in the files that are already there, as schemas/verify.schema.json says; empty if
   /// nobody looked. Its maps are in verify/.
   std::string verification = {};
+  TilesOptions tiles = {};
 };
 
 /// One output format. `write` throws OutputError; it writes only the named files (and textures/).
@@ -25,6 +37,7 @@ struct Format {
   std::string_view name, description;
   std::vector<std::string_view> files;
   void (*write)(const scene::Scene&, const Destination&);
+  bool onlyOnRequest = false;      ///< not among those that are written when none is named
   bool showsVerification = false;  ///< wants Destination::verification: written after the scene was verified
 };
 

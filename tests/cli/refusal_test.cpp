@@ -124,7 +124,6 @@ TEST_F(Refusal, WordsThatItDoesNotKnow) {
 }
 
 TEST_F(Refusal, WhatIsNotBuilt) {
-  refuses(buildWith({"--formats", "tiles"}), kNotBuilt, "tiles");
   refuses(buildWith({"--formats", "x3d,vdb"}), kNotBuilt, "vdb");
   refuses(buildWith({"--frame", "geo"}), kNotBuilt, "--frame geo");
   refuses(buildWith({"--shard", "1/4"}), kNotBuilt, "--shard");

@@ -60,6 +60,7 @@ inline const std::array kLibraries{
     Library{"flatbuffers/", {"src/writer/pack/", "src/check/pack/", "src/runtime/"}},
     Library{"runtime_pack_generated", {"src/writer/pack/", "src/check/pack/", "src/runtime/"}},
     Library{"CLI/", {"src/cli/"}},
+    Library{"zlib.h", {"src/base/gzip.cpp"}},
     Library{"CL/", {}},
     Library{"Magick", {}},
 };
@@ -72,6 +73,7 @@ inline const std::set<std::string_view> kJsonOwners{"src/shape/recipe.cpp",
                                                     "src/input/",
                                                     "src/writer/",
                                                     "src/check/gltf/",
+                                                    "src/check/tiles3d/",
                                                     "src/check/report/",
                                                     "src/cli/"};
 

@@ -5,6 +5,7 @@
 
 #include "base/random.hpp"
 #include "scene/scene.hpp"
+#include "shape/reduce.hpp"
 
 namespace cloudgen::test {
 
@@ -29,6 +30,7 @@ inline scene::Archetype heap(const std::string& name, base::Genus genus, int puf
     puff.sprite = static_cast<std::uint16_t>(i);
     archetype.farPuffs.push_back(puff);
   }
+  archetype.onePuff = shape::reduce(archetype.puffs, 1).front();
   archetype.sectionStart = {0, static_cast<std::uint32_t>(puffs)};
   archetype.bounds = shape::boundsOf(archetype.puffs);
   return archetype;
@@ -49,6 +51,7 @@ inline scene::Archetype fibres() {
   archetype.puffs = {puff, puff};
   archetype.puffs[1].extinctionPerMeter = 1e-6f;
   archetype.farPuffs = {puff};
+  archetype.onePuff = puff;
   archetype.sectionStart = {0, 2};
   archetype.bounds = shape::boundsOf(archetype.puffs);
   return archetype;
@@ -64,14 +67,16 @@ inline scene::LitArchetype lit(const scene::Scene& scene, std::uint32_t index, i
   };
   for (const auto& puff : archetype.puffs) out.puffs.push_back(lightOf(puff));
   for (const auto& puff : archetype.farPuffs) out.farPuffs.push_back(lightOf(puff));
+  out.onePuff = lightOf(archetype.onePuff);
   return out;
 }
 
 /// About 14 km east to west and 22 km north to south: a grey field of heaps in rows, a red heap in the
 /// south-west corner, a green one in the north-east, a blue one high in the south-east, and fibres above the
 /// middle.
-inline scene::Scene gltfScene(int puffsOfHeap = 60, int rows = 4) {
-  scene::Scene scene{.frame = base::LocalFrame({10.0, 50.0, 10.2, 50.2})};
+inline scene::Scene gltfScene(int puffsOfHeap = 60, int rows = 4,
+                              const base::GeoBox& box = {10.0, 50.0, 10.2, 50.2}) {
+  scene::Scene scene{.frame = base::LocalFrame(box)};
   scene.validTime = base::utcFromCivil(2026, 6, 21, 14);
   scene.sun = light::sunFrom(225, 40);
   scene.sky = light::skyUnder(scene.sun);

@@ -12,6 +12,7 @@ import {Runner} from './lib/runner.mjs';
 import {serve} from './lib/server.mjs';
 import {drawsByComparison, drawsByRemoval} from './checks/drawing.mjs';
 import {pageWorks} from './checks/page.mjs';
+import {cesiumPage, tilesStandInPlace} from './checks/tiles.mjs';
 import {glbHasNoErrors, jsonIsValid, splatsHaveOnlyKnownErrors} from './checks/validation.mjs';
 import {view3dsceneDraws} from './checks/view3dscene.mjs';
 
@@ -74,6 +75,7 @@ async function checkScene(runner, folder, onlyPage) {
     await draws('three.js', 'three', 'scene.splats.glb');
     await draws('Babylon.js', 'babylon', 'scene.splats.glb', 3000);
     await draws('three.js', 'three', 'scene.glb');
+    if (has('tileset.json') && browser) await checkTiles(runner, scene, folder, picture);
   } finally {
     server.close();
   }
@@ -83,6 +85,21 @@ async function checkScene(runner, folder, onlyPage) {
       splatsHaveOnlyKnownErrors(join(folder, 'scene.splats.glb')),
     );
   await runner.run(`${scene}: report.json fits its schema`, 20, () => jsonIsValid(join(folder, 'report.json'), join(repository, 'schemas/report.schema.json')));
+}
+
+/** CesiumJS draws packed splats, three.js plain ones. */
+async function checkTiles(runner, scene, folder, picture) {
+  const tileset = JSON.parse(await readFile(join(folder, 'tileset.json'), 'utf8'));
+  const isPacked = tileset.extensions['3DTILES_content_gltf'].extensionsUsed.some((name) => name.includes('spz'));
+  const [viewer, page] = isPacked ? ['CesiumJS', 'cesium'] : ['3d-tiles-renderer', 'tiles'];
+  await runner.run(`${scene}: ${viewer} has the clouds of tileset.json in place`, 300, async () => {
+    const server = await serve(folder, isPacked ? {'/cesium_page.js': await cesiumPage()} : {});
+    try {
+      return await tilesStandInPlace(`${server.address}/pages/${page}.html?tileset=/scene/tileset.json`, folder, picture(`${page}_tileset`));
+    } finally {
+      server.close();
+    }
+  });
 }
 
 async function checkRecipes(runner) {

@@ -45,10 +45,13 @@ Card cardOf(const PictureMesh& mesh, std::span<const std::uint32_t> vertices) {
   card.center = 0.5f * (lowerRight + upperLeft);
   card.right = 0.5f * (lowerRight - lowerLeft);
   card.up = 0.5f * (upperLeft - lowerLeft);
-  float alpha = 0;
-  for (const std::uint32_t vertex : vertices)
+  float alpha = 0, stated = 0;
+  for (const std::uint32_t vertex : vertices) {
     alpha += mesh.colors[4 * vertex + 3] / static_cast<float>(vertices.size());
-  card.opticalDepth = opticalDepthOf(alpha);
+    if (!mesh.opticalDepths.empty())
+      stated += mesh.opticalDepths[vertex] / static_cast<float>(vertices.size());
+  }
+  card.opticalDepth = opticalDepthOf(alpha, stated);
   return card;
 }
 

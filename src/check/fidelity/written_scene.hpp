@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/frame.hpp"
 #include "base/genus.hpp"
 #include "base/progress.hpp"
 #include "check/fidelity/footprint.hpp"
@@ -46,6 +47,11 @@ WrittenScene readPackScene(const std::filesystem::path& file);
 
 /// The same from bytes; `where` names them in messages.
 WrittenScene readPackScene(std::string_view bytes, const std::string& where);
+
+/// Reads the finest tiles of a tileset and takes their splats from the globe to the map of the scene, as
+/// readSplatScene does else. Throws InputError as readTiles does.
+WrittenScene readTileScene(const std::filesystem::path& file, const base::LocalFrame& frame,
+                           const base::Progress& progress);
 
 /// Reads the clouds of scene.x3d as a viewer far off draws them, but near enough for the first level of every
 /// LOD: cards (pairs of triangles with an RGBA colour and a sprite texture) whose sprite falls off as a

@@ -63,6 +63,14 @@ std::string_view GlbParts::bytesOf(const json& accessor, std::size_t components,
   return binary_.substr(start, count * components * width);
 }
 
+std::string_view GlbParts::view(std::size_t index) const {
+  const json& view = root_->at("bufferViews").at(index);
+  const auto start = view.value("byteOffset", std::size_t{0}), length = view.at("byteLength").get<std::size_t>();
+  if (start > binary_.size() || length > binary_.size() - start)
+    fail("has a buffer view outside its binary chunk");
+  return binary_.substr(start, length);
+}
+
 std::vector<float> GlbParts::floats(std::size_t accessorIndex, std::size_t components) const {
   const json& accessor = root_->at("accessors").at(accessorIndex);
   const json& type = accessor.at("componentType");

@@ -25,6 +25,9 @@ class GlbParts {
   std::vector<float> floats(std::size_t accessor, std::size_t components) const;
   /// The values of an accessor of unsigned integers.
   std::vector<std::uint32_t> indices(std::size_t accessor) const;
+  /// The bytes of a buffer view.
+  std::string_view view(std::size_t index) const;
+  const std::string& where() const { return where_; }
   [[noreturn]] void fail(const std::string& what) const;
 
  private:

@@ -66,10 +66,14 @@ std::vector<PictureMesh> partsOf(const GlbParts& glb, const json& mesh) {
     if (picture.empty()) continue;
     const json& attributes = primitive.at("attributes");
     parts.push_back({glb.floats(attributes.at("POSITION"), 3), glb.floats(attributes.at("TEXCOORD_0"), 2),
-                     glb.floats(attributes.at("COLOR_0"), 4), glb.indices(primitive.at("indices")),
+                     glb.floats(attributes.at("COLOR_0"), 4),
+                     attributes.contains("_OPTICAL_DEPTH") ? glb.floats(attributes["_OPTICAL_DEPTH"], 1)
+                                                           : std::vector<float>{},
+                     glb.indices(primitive.at("indices")),
                      material.value("doubleSided", false), picture});
     const PictureMesh& part = parts.back();
     if (part.places.size() != 2 * part.vertices() || part.colors.size() != 4 * part.vertices() ||
+        (!part.opticalDepths.empty() && part.opticalDepths.size() != part.vertices()) ||
         part.triangles.size() % 3 != 0 ||
         std::ranges::any_of(part.triangles, [&](std::uint32_t vertex) { return vertex >= part.vertices(); }))
       glb.fail("has a mesh whose columns do not fit together");

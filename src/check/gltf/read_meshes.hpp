@@ -14,6 +14,7 @@ namespace cloudgen::check {
 /// A mesh of triangles with a blended picture, as columns.
 struct PictureMesh {
   std::vector<float> points, places, colors;  ///< xyz; uv with v downwards; RGBA
+  std::vector<float> opticalDepths;           ///< as stated (_OPTICAL_DEPTH); empty if they are not
   std::vector<std::uint32_t> triangles;       ///< vertices, three each
   bool doubleSided = false;
   std::string picture;  ///< the name of its image

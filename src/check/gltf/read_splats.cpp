@@ -7,11 +7,14 @@
 
 #include "base/file.hpp"
 #include "check/gltf/glb_parts.hpp"
+#include "check/gltf/read_spz.hpp"
 
 namespace cloudgen::check {
 namespace {
 
 using nlohmann::json;
+
+constexpr const char* kPacked = "KHR_gaussian_splatting_compression_spz_2";
 
 glm::vec3 triple(const std::vector<float>& values, std::size_t i) {
   return {values[3 * i], values[3 * i + 1], values[3 * i + 2]};
@@ -27,7 +30,76 @@ float opticalDepthOf(float opacity, float stated) {
   return -std::log1p(-std::clamp(opacity, 0.0f, kMostOpaque));
 }
 
-void readPrimitive(const GlbParts& glb, const json& attributes, const glm::vec3& translation,
+/// Where a node stands: it is moved, and as large in all directions.
+struct Pose {
+  glm::vec3 translation{0};
+  float scale = 1;
+};
+
+Pose poseOf(const GlbParts& glb, const json& node) {
+  Pose pose;
+  if (node.contains("translation"))
+    for (int axis = 0; axis < 3; ++axis)
+      pose.translation[axis] = node["translation"].at(static_cast<std::size_t>(axis));
+  if (!node.contains("matrix")) return pose;
+  pose.scale = node["matrix"].at(0);
+  for (std::size_t i = 0; i < 16; ++i) {
+    const float value = node["matrix"].at(i);
+    if (i / 4 == 3 && i % 4 < 3)
+      pose.translation[static_cast<int>(i % 4)] = value;
+    else if (value != (i % 5 != 0 ? 0 : i == 15 ? 1 : pose.scale))
+      glb.fail("has splats in a node that is more than moved and scaled");
+  }
+  if (!(pose.scale > 0)) glb.fail("has splats in a node of no size");
+  return pose;
+}
+
+ReadSplat posed(ReadSplat splat, const Pose& pose) {
+  splat.center = pose.scale * splat.center + pose.translation;
+  splat.sigma *= pose.scale;
+  return splat;
+}
+
+/// The optical depths that a property table tells of the splats of a file, one each; empty if none does.
+std::vector<float> toldOpticalDepths(const GlbParts& glb) {
+  const json metadata =
+      glb.root().value("extensions", json::object()).value("EXT_structural_metadata", json::object());
+  if (!metadata.contains("propertyTables")) return {};
+  const json& table = metadata["propertyTables"].at(0);
+  const json properties = table.value("properties", json::object());
+  if (!properties.contains("logOpticalDepth")) return {};
+  const json& kind = metadata.at("schema").at("classes").at(table.at("class").get<std::string>());
+  const json& property = kind.at("properties").at("logOpticalDepth");
+  if (property.at("componentType") != "UINT8" || property.at("normalized") != true)
+    glb.fail("tells optical depths in a way that is not read");
+  const float offset = property.at("offset"), scale = property.at("scale");
+  std::vector<float> depths;
+  for (const char byte : glb.view(properties["logOpticalDepth"].at("values").get<std::size_t>()))
+    depths.push_back(std::exp(offset + scale * static_cast<float>(static_cast<unsigned char>(byte)) / 255));
+  return depths;
+}
+
+/// A primitive whose columns are packed. Opacities are whole shares of 255, give or take one: what is told of
+/// the optical depth counts where it agrees with them.
+void readPacked(const GlbParts& glb, const json& packed, std::size_t expected, const Pose& pose,
+                const std::function<void(const ReadSplat&)>& visit) {
+  constexpr float kMostOpaque = 1 - 0.5f / 255, kAgreeing = 2.5f / 255;
+  const auto told = toldOpticalDepths(glb);
+  std::size_t at = 0;
+  const std::size_t count =
+      readPackedSplats(glb.view(packed.at("bufferView")), glb.where(), [&](ReadSplat splat) {
+        const float stated = at < told.size() ? told[at] : 0;
+        ++at;
+        splat.opticalDepth = std::abs(-std::expm1(-stated) - splat.opacity) < kAgreeing
+                                 ? stated
+                                 : -std::log1p(-std::min(splat.opacity, kMostOpaque));
+        visit(posed(splat, pose));
+      });
+  if (count != expected || (!told.empty() && told.size() != count))
+    glb.fail("has packed splats of another number than it says");
+}
+
+void readPrimitive(const GlbParts& glb, const json& attributes, const Pose& pose,
                    const std::function<void(const ReadSplat&)>& visit) {
   const auto column = [&](const std::string& name, std::size_t components) {
     return glb.floats(attributes.at(name), components);
@@ -49,7 +121,7 @@ void readPrimitive(const GlbParts& glb, const json& attributes, const glm::vec3&
   if (!even) glb.fail("has splat attributes of different lengths");
   for (std::size_t i = 0; i < count; ++i) {
     ReadSplat splat;
-    splat.center = triple(positions, i) + translation;
+    splat.center = triple(positions, i);
     splat.sigma = triple(scales, i);
     splat.rotation =
         glm::quat(rotations[4 * i + 3], rotations[4 * i], rotations[4 * i + 1], rotations[4 * i + 2]);
@@ -57,7 +129,7 @@ void readPrimitive(const GlbParts& glb, const json& attributes, const glm::vec3&
     splat.opticalDepth = opticalDepthOf(splat.opacity, stated.empty() ? 0 : stated[i]);
     splat.color = triple(base, i) * 0.2820947917738781f + 0.5f;
     for (std::size_t k = 0; hasDegree1 && k < 3; ++k) splat.harmonics[k] = triple(harmonics[k], i);
-    visit(splat);
+    visit(posed(splat, pose));
   }
 }
 
@@ -99,14 +171,17 @@ SplatFile readSplats(std::string_view bytes, const std::string& where,
     const json& root = glb.root();
     for (const json& node : root.value("nodes", json::array())) {
       if (!node.contains("mesh")) continue;
-      glm::vec3 translation(0);
-      if (node.contains("translation"))
-        for (int axis = 0; axis < 3; ++axis)
-          translation[axis] = node["translation"].at(static_cast<std::size_t>(axis));
+      const Pose pose = poseOf(glb, node);
       for (const json& primitive : root.at("meshes").at(node["mesh"].get<std::size_t>()).at("primitives")) {
         if (!primitive.contains("extensions") || !primitive["extensions"].contains("KHR_gaussian_splatting"))
           glb.fail("has a primitive without splats");
-        readPrimitive(glb, primitive.at("attributes"), translation, visit);
+        const json inner = primitive["extensions"]["KHR_gaussian_splatting"].value("extensions", json::object());
+        const json& attributes = primitive.at("attributes");
+        if (inner.contains(kPacked))
+          readPacked(glb, inner[kPacked], root.at("accessors").at(attributes.at("POSITION").get<std::size_t>()).at("count"),
+                     pose, visit);
+        else
+          readPrimitive(glb, attributes, pose, visit);
       }
     }
     const json extras = root.value("asset", json::object()).value("extras", json::object());

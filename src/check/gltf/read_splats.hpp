@@ -30,8 +30,8 @@ struct SplatFile {
   double sunAzimuthDegrees = 180, sunElevationDegrees = 45;  ///< from the asset's extras, if there
 };
 
-/// Reads a .glb of KHR_gaussian_splatting primitives with float attributes in nodes that are only translated,
-/// as cloudgen writes them. Throws InputError where the file is something else or reaches outside its bounds.
+/// Reads a .glb of KHR_gaussian_splatting primitives, with float attributes or packed as SPZ, in nodes that are
+/// only moved and scaled, as cloudgen writes them. Throws InputError where the file is something else or reaches outside its bounds.
 SplatFile readSplats(const std::filesystem::path& file);
 
 /// The same from the bytes of a file; `where` names it in messages.

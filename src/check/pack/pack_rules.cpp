@@ -294,6 +294,8 @@ void PackRules::checkLight() {
       error("tone", "a figure of the tone curve is not above zero");
       break;
     }
+  if (!(root_.lift_lowest() >= 0.01f && root_.lift_lowest() <= 1 && root_.lift_power() >= 0 && root_.lift_power() <= 4))
+    error("lift_lowest", "the lift of level tops is out of bounds (0.01 to 1, power 0 to 4)");
   for (const float value : {tone.sky_without_sun(), tone.sky_at_noon(), tone.most_forward(), tone.mean_sun(), tone.mean_sky(), tone.mean_ground()})
     if (!(value >= 0 && std::isfinite(value))) {
       error("tone", "a figure of the tone curve is below zero");

@@ -44,7 +44,8 @@ CardMesh cardsOf(const scene::Archetype& archetype, const scene::LitArchetype& l
     const glm::mat3 axes = glm::mat3_cast(puff.rotation);
     const glm::vec4 box = atlas.textureBox(puff.sprite % atlas.tiles());
     const float blurMeters = 0.7f * std::cbrt(puff.sigma.x * puff.sigma.y * puff.sigma.z);
-    const float alpha = -std::expm1(-shape::frontalOpticalDepth(puff) * opticalDepthFactor / kCardsMet);
+    const float opticalDepth = shape::frontalOpticalDepth(puff) * opticalDepthFactor / kCardsMet;
+    const float alpha = -std::expm1(-opticalDepth);
     for (const auto& [right, up] : kPlanes) {
       const auto first = static_cast<std::uint32_t>(mesh.positions.size() / 3);
       for (int row = 0; row <= kCells; ++row)
@@ -61,6 +62,7 @@ CardMesh cardsOf(const scene::Archetype& archetype, const scene::LitArchetype& l
               lightAt(archetype, lit, glm::mix(puff.center, place, 0.5f), blurMeters, lit.farPuffs[p].color);
           mesh.colors.insert(mesh.colors.end(),
                              {toShort(color.x), toShort(color.y), toShort(color.z), toShort(alpha)});
+          mesh.opticalDepths.push_back(opticalDepth);
         }
       for (std::uint32_t row = 0; row < kCells; ++row)
         for (std::uint32_t column = 0; column < kCells; ++column) {

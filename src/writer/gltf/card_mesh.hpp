@@ -14,6 +14,7 @@ struct CardMesh {
   std::vector<float> positions;        ///< xyz, metres
   std::vector<float> textureBoxes;     ///< uv, origin at the upper left
   std::vector<std::uint16_t> colors;   ///< linear RGB and alpha, 65535 = 1
+  std::vector<float> opticalDepths;    ///< of the card that a vertex belongs to: what alpha, near 1, tells no more
   std::vector<std::uint32_t> indices;  ///< triangles
 };
 

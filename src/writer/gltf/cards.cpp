@@ -11,6 +11,7 @@
 #include "writer/gltf/glb_file.hpp"
 #include "writer/gltf/gltf.hpp"
 #include "writer/gltf/scene_extras.hpp"
+#include "writer/gltf/splat.hpp"
 
 namespace cloudgen::writer {
 namespace {
@@ -62,9 +63,12 @@ float meanFactor(const scene::Scene& scene, const std::vector<std::uint32_t>& in
 }
 
 int addCardMesh(GlbFile& file, const std::string& name, const CardMesh& mesh, int material) {
-  return file.addMesh(name, {.attributes = {{"POSITION", file.addFloats(3, mesh.positions, true)},
-                                            {"TEXCOORD_0", file.addFloats(2, mesh.textureBoxes)},
-                                            {"COLOR_0", file.addUnitShorts(mesh.colors)}},
+  Attributes attributes{{"POSITION", file.addFloats(3, mesh.positions, true)},
+                        {"TEXCOORD_0", file.addFloats(2, mesh.textureBoxes)},
+                        {"COLOR_0", file.addUnitShorts(mesh.colors)}};
+  if (std::ranges::any_of(mesh.opticalDepths, [](float depth) { return depth > kOpaqueOpticalDepth; }))
+    attributes.emplace_back("_OPTICAL_DEPTH", file.addFloats(1, mesh.opticalDepths));
+  return file.addMesh(name, {.attributes = std::move(attributes),
                              .indices = file.addIndices(mesh.indices),
                              .material = material});
 }

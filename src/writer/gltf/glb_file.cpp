@@ -55,6 +55,10 @@ void append32(std::string& out, std::uint64_t value) {
   for (int shift = 0; shift < 32; shift += 8) out += static_cast<char>(value >> shift & 0xff);
 }
 
+/// By number of components.
+constexpr std::array<int, 5> kTypes{0, TINYGLTF_TYPE_SCALAR, TINYGLTF_TYPE_VEC2, TINYGLTF_TYPE_VEC3,
+                                    TINYGLTF_TYPE_VEC4};
+
 template <class T>
 int indexOfLast(const std::vector<T>& parts) {
   return static_cast<int>(parts.size()) - 1;
@@ -94,8 +98,6 @@ int GlbFile::addView(const void* bytes, std::size_t count, int target) {
 }
 
 int GlbFile::addFloats(int components, std::span<const float> values, bool withBounds) {
-  static constexpr std::array<int, 5> kTypes{0, TINYGLTF_TYPE_SCALAR, TINYGLTF_TYPE_VEC2, TINYGLTF_TYPE_VEC3,
-                                             TINYGLTF_TYPE_VEC4};
   tinygltf::Accessor accessor;
   accessor.bufferView = addView(values.data(), values.size_bytes(), TINYGLTF_TARGET_ARRAY_BUFFER);
   accessor.componentType = TINYGLTF_COMPONENT_TYPE_FLOAT;
@@ -139,6 +141,26 @@ int GlbFile::addIndices(std::span<const std::uint32_t> values) {
   return addIntegers(values.data(), values.size(), 4, TINYGLTF_TYPE_SCALAR,
                      TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
 }
+
+int GlbFile::addUnpacked(int components, std::size_t count, bool unitBytes) {
+  tinygltf::Accessor accessor;
+  accessor.componentType = unitBytes ? TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE : TINYGLTF_COMPONENT_TYPE_FLOAT;
+  accessor.normalized = unitBytes;
+  accessor.type = kTypes[static_cast<std::size_t>(components)];
+  accessor.count = count;
+  parts_->model.accessors.push_back(std::move(accessor));
+  return indexOfLast(parts_->model.accessors);
+}
+
+int GlbFile::addUnpackedPositions(std::size_t count, const glm::dvec3& lower, const glm::dvec3& upper) {
+  const int index = addUnpacked(3, count);
+  auto& accessor = parts_->model.accessors.back();
+  accessor.minValues = {lower.x, lower.y, lower.z};
+  accessor.maxValues = {upper.x, upper.y, upper.z};
+  return index;
+}
+
+int GlbFile::addBytes(std::string_view bytes) { return addView(bytes.data(), bytes.size(), 0); }
 
 int GlbFile::addPngTexture(const std::string& name, std::string_view png) {
   auto& model = parts_->model;
@@ -186,9 +208,9 @@ int GlbFile::addMesh(const std::string& name, const Primitive& primitive) {
   out.indices = primitive.indices;
   out.material = primitive.material;
   out.mode = primitive.points ? TINYGLTF_MODE_POINTS : TINYGLTF_MODE_TRIANGLES;
-  if (primitive.extensionValue) {
-    out.extensions[primitive.extension] = valueOf(*primitive.extensionValue);
-    useExtension(primitive.extension, false);
+  for (const auto& [extension, value] : primitive.extensions) {
+    out.extensions[extension] = valueOf(*value);
+    useExtension(extension, false);
   }
   tinygltf::Mesh mesh;
   mesh.name = name;
@@ -201,7 +223,10 @@ int GlbFile::addNode(const Node& node) {
   tinygltf::Node out;
   out.name = node.name;
   out.mesh = node.mesh;
-  if (node.translation != glm::dvec3(0))
+  if (const double scale = node.metersPerUnit; scale != 1)
+    out.matrix = {scale, 0, 0, 0, 0, scale, 0, 0, 0, 0, scale, 0,
+                  node.translation.x, node.translation.y, node.translation.z, 1};
+  else if (node.translation != glm::dvec3(0))
     out.translation = {node.translation.x, node.translation.y, node.translation.z};
   if (node.extras) out.extras = valueOf(*node.extras);
   if (!node.instancing.empty()) {
@@ -221,6 +246,11 @@ void GlbFile::useExtension(const std::string& name, bool required) {
   };
   addOnce(parts_->model.extensionsUsed);
   if (required) addOnce(parts_->model.extensionsRequired);
+}
+
+void GlbFile::addExtension(const std::string& name, const nlohmann::json& value) {
+  parts_->model.extensions[name] = valueOf(value);
+  useExtension(name, false);
 }
 
 std::uint64_t GlbFile::binaryBytes() const { return parts_->binary.size(); }

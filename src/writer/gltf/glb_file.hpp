@@ -21,15 +21,15 @@ using Attributes = std::vector<std::pair<std::string, int>>;
 struct Primitive {
   Attributes attributes;
   int indices = -1, material = -1;
-  bool points = false;    ///< points, else triangles
-  std::string extension;  ///< name of its one extension, or empty
-  const nlohmann::json* extensionValue = nullptr;
+  bool points = false;  ///< points, else triangles
+  std::vector<std::pair<std::string, const nlohmann::json*>> extensions = {};
 };
 
 struct Node {
   std::string name;
   int mesh = -1;
   glm::dvec3 translation{0};
+  double metersPerUnit = 1;  ///< written as a matrix, if it is not 1
   const nlohmann::json* extras = nullptr;
   Attributes instancing;  ///< EXT_mesh_gpu_instancing, or empty
 };
@@ -55,6 +55,12 @@ class GlbFile {
   int addUnitBytes(std::span<const std::uint8_t> values);
   int addUnitShorts(std::span<const std::uint16_t> values);
   int addIndices(std::span<const std::uint32_t> values);
+  /// An accessor whose values an extension unpacks: tuples of floats, or of bytes that stand for 0..1.
+  int addUnpacked(int components, std::size_t count, bool unitBytes = false);
+  /// The same with bounds, as POSITION needs.
+  int addUnpackedPositions(std::size_t count, const glm::dvec3& lower, const glm::dvec3& upper);
+  /// Bytes that an extension reads; returns the buffer view.
+  int addBytes(std::string_view bytes);
 
   /// Embeds a PNG file; returns the texture, sampled linearly and clamped at its borders.
   int addPngTexture(const std::string& name, std::string_view png);
@@ -65,6 +71,8 @@ class GlbFile {
   int addMesh(const std::string& name, const Primitive& primitive);
   int addNode(const Node& node);
   void useExtension(const std::string& name, bool required);
+  /// Says something of the whole file by an extension, which viewers need not know.
+  void addExtension(const std::string& name, const nlohmann::json& value);
 
   std::uint64_t binaryBytes() const;
   /// Writes the file, whole or not at all. Throws OutputError.

@@ -74,7 +74,8 @@ Offset<pack::Archetype> addArchetype(FlatBufferBuilder& builder, const scene::Ar
   for (const Level& level : levels) {
     runs.emplace_back(static_cast<std::uint32_t>(table.puffs.size()),
                       static_cast<std::uint32_t>(level.puffs.size()), level.errorMeters);
-    for (const shape::Puff& puff : level.puffs) table.puffs.push_back(quantised(puff, centers));
+    for (std::size_t p = 0; p < level.puffs.size(); ++p)
+      table.puffs.push_back(quantised(level.puffs[p], centers, level.responses[p].level));
   }
   for (const light::PuffResponse& response : responses) table.responses.push_back(quantised(response, scale));
 
@@ -231,6 +232,8 @@ std::string packBytes(const scene::Scene& scene, std::span<const Pictures> pictu
   out.add_sun_heights(heightsAt);
   out.add_sun_colors(colorsAt);
   out.add_tone(&curve);
+  out.add_lift_power(light::kLift);
+  out.add_lift_lowest(light::kLowest);
   out.add_frame(frame);
   out.add_provenance(provenance);
   pack::FinishRuntimePackBuffer(builder, out.Finish());

@@ -41,7 +41,7 @@ std::uint32_t smallestThree(glm::quat rotation) {
   return bits;
 }
 
-pack::Puff quantised(const shape::Puff& puff, const shape::Bounds& centers) {
+pack::Puff quantised(const shape::Puff& puff, const shape::Bounds& centers, float level) {
   const glm::vec3 extent = glm::max(centers.upper - centers.lower, glm::vec3(1e-6f));
   const glm::vec3 at = 65535.0f * glm::clamp((puff.center - centers.lower) / extent, 0.0f, 1.0f);
   const auto whole = [](float value) { return static_cast<std::uint16_t>(std::lround(value)); };
@@ -54,7 +54,7 @@ pack::Puff quantised(const shape::Puff& puff, const shape::Bounds& centers) {
           smallestThree(puff.rotation),
           half(shape::frontalOpticalDepth(puff)),
           static_cast<std::uint8_t>(puff.sprite & 0xff),
-          0};
+          unitByte(level)};
 }
 
 ResponseScale scaleOf(std::span<const light::PuffResponse> responses) {

@@ -15,7 +15,7 @@ namespace cloudgen::writer::packed {
 std::uint32_t smallestThree(glm::quat rotation);
 
 /// A puff within the box of its archetype's centres.
-pack::Puff quantised(const shape::Puff& puff, const shape::Bounds& centers);
+pack::Puff quantised(const shape::Puff& puff, const shape::Bounds& centers, float level);
 
 /// What a byte of 127 stands for, one a coefficient.
 struct ResponseScale {

@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "check/fidelity/written_scene.hpp"
 #include "check/gltf/read_splats.hpp"
 #include "support/gltf_scene.hpp"
 #include "support/scratch.hpp"
@@ -39,6 +40,18 @@ TEST(ReadBack, SeesEveryPuffWhereTheSceneHasIt) {
              std::abs(heldBy(splat) / shape::extinctionArea(puff) - 1) < 1e-3;
     }));
   EXPECT_NEAR(file.sunElevationDegrees, scene.sun.elevationDegrees, 1e-9);
+}
+
+TEST(ReadBack, CardsTellHowDenseTheyAre) {
+  scene::Scene scene = test::gltfScene();
+  for (shape::Puff& puff : scene.archetypes[0].farPuffs) puff.extinctionPerMeter = 2;
+  const test::Scratch folder;
+  writeCards(scene, {folder.path(), {}});
+  const check::WrittenScene read = check::readGlbScene(folder.path() / "scene.glb");
+  ASSERT_FALSE(read.blobs.empty());
+  EXPECT_EQ(read.saturated, 0u);
+  const float densest = std::ranges::max(read.blobs, {}, &check::Blob::strength).strength;
+  EXPECT_GT(densest, 100) << "an opacity of 16 bits ends at 12";
 }
 
 TEST(ReadBack, RefusesWhatIsCutShort) {

@@ -20,7 +20,7 @@ export function hasBrowser() {
 
 /**
  * Opens a page, hands it to `use`, and ends the browser whatever happens.
- * `use(page, seen)`: seen.errors are console errors and uncaught exceptions, seen.requests the addresses asked for.
+ * `use(page, seen)`: seen.errors are console errors and uncaught exceptions, seen.warnings console warnings, seen.requests the addresses asked for.
  */
 export async function withPage({width, height}, use) {
   const profile = await mkdtemp(join(tmpdir(), 'cloudgen-web-'));
@@ -29,8 +29,9 @@ export async function withPage({width, height}, use) {
   });
   try {
     const page = context.pages()[0] ?? (await context.newPage());
-    const seen = {errors: [], requests: []};
+    const seen = {errors: [], warnings: [], requests: []};
     page.on('console', (message) => message.type() === 'error' && seen.errors.push(message.text().slice(0, 300)));
+    page.on('console', (message) => message.type() === 'warning' && seen.warnings.push(message.text().slice(0, 300)));
     page.on('pageerror', (error) => seen.errors.push(`uncaught: ${String(error).slice(0, 300)}`));
     page.on('request', (request) => seen.requests.push(request.url().slice(0, 200)));
     return await use(page, seen);

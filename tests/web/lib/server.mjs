@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Serves folders and texts on this machine only: /lib/ is node_modules, /pages/ the test pages, /scene/ one output folder.
+// Serves folders and texts on this machine only: /lib/ is node_modules, /pages/ the test pages, /scene/ one output folder, /cesium/
+// what CesiumJS asks for beside its script.
 import {createServer} from 'node:http';
 import {readFile} from 'node:fs/promises';
 import {extname, join, normalize} from 'node:path';
@@ -13,7 +14,8 @@ const types = {
 
 /** Starts a server for one output folder; `texts` maps further addresses to their content. */
 export function serve(sceneFolder, texts = {}) {
-  const roots = {'/lib/': join(here, 'node_modules'), '/pages/': join(here, 'pages'), '/scene/': sceneFolder};
+  const roots = {'/lib/': join(here, 'node_modules'), '/pages/': join(here, 'pages'), '/scene/': sceneFolder,
+    '/cesium/Workers/': join(here, 'node_modules/@cesium/engine/Build/Workers'), '/cesium/': join(here, 'node_modules/@cesium/engine/Source')};
   const server = createServer(async (request, answer) => {
     const path = normalize(decodeURIComponent(request.url.split('?')[0]));
     try {

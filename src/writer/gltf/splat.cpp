@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "writer/gltf/splat.hpp"
+
+#include <array>
+#include <glm/common.hpp>
+
+#include "light/color.hpp"
+#include "shape/blending.hpp"
+
+namespace cloudgen::writer::gltf {
+namespace {
+
+/// Puts two zero bits between the 16 bits of a coordinate.
+std::uint64_t spread(std::uint64_t bits) {
+  bits = (bits | bits << 16) & 0x0000ff0000ff;
+  bits = (bits | bits << 8) & 0x00f00f00f00f;
+  bits = (bits | bits << 4) & 0x0c30c30c30c3;
+  return (bits | bits << 2) & 0x249249249249;
+}
+
+/// Light in the encoded colour space in which viewers add harmonics. Looking at an angle with cosine mu to
+/// the sun, a puff shows its colour plus max(0, mu) of what is encoded with the forward light added; degrees
+/// 0 and 1 that fit this best (least squares over the sphere) are a quarter and half of it.
+void shade(Splat& splat, const light::PuffLight& puffLight, const light::Sun& sun) {
+  const glm::vec3 base = light::srgbFromLinear(puffLight.color);
+  const glm::vec3 lining = light::srgbFromLinear(puffLight.color + puffLight.forward * sun.color) - base;
+  splat.color = base + 0.25f * lining;
+  splat.towardsSun = 0.5f * lining;
+}
+
+}  // namespace
+
+float splatOpacity(const shape::Puff& placedPuff) {
+  return -std::expm1(-shape::frontalOpticalDepth(placedPuff));
+}
+
+Splat splatOf(const shape::Puff& puff, const light::PuffLight& light, const light::Sun& sun) {
+  Splat splat{puff.center, puff.sigma, glm::normalize(puff.rotation), splatOpacity(puff),
+              shape::frontalOpticalDepth(puff)};
+  shade(splat, light, sun);
+  return splat;
+}
+
+std::array<float, 3> harmonicsTowards(glm::vec3 direction) {
+  constexpr float kHarmonic1 = 0.4886025119029199f;
+  return {-direction.y / kHarmonic1, direction.z / kHarmonic1, -direction.x / kHarmonic1};
+}
+
+std::uint64_t mortonOf(glm::vec3 place, glm::vec3 lower, float metersPerStep) {
+  const glm::vec3 steps = glm::clamp((place - lower) / metersPerStep, 0.0f, 65535.0f);
+  return spread(static_cast<std::uint64_t>(steps.x)) | spread(static_cast<std::uint64_t>(steps.y)) << 1 |
+         spread(static_cast<std::uint64_t>(steps.z)) << 2;
+}
+
+}  // namespace cloudgen::writer::gltf

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "writer/format.hpp"
+
+namespace cloudgen::writer {
+
+/// Writes tileset.json and tiles/: 3D Tiles 1.1, a quadtree of binary glTF files of Gaussian splats on the
+/// WGS84 globe, every splat where the model has it. Bounding volumes are regions; tiles refine by REPLACE; the
+/// geometric error of a tile is the width of the widest puff in it that stands for others, that of leaves is 0.
+/// Throws OutputError.
+void writeTiles(const scene::Scene& scene, const Destination& destination);
+
+}  // namespace cloudgen::writer
