@@ -5,7 +5,6 @@
 #include <glm/common.hpp>
 
 #include "light/color.hpp"
-#include "shape/blending.hpp"
 
 namespace cloudgen::writer::gltf {
 namespace {

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "light/shade.hpp"
+#include "shape/blending.hpp"
 
 namespace cloudgen::writer::gltf {
 namespace {

@@ -8,6 +8,7 @@
 
 #include "base/file.hpp"
 #include "base/gzip.hpp"
+#include "shape/blending.hpp"
 #include "writer/gltf/splat_columns.hpp"
 #include "writer/gltf/spz.hpp"
 
