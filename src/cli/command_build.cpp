@@ -48,10 +48,10 @@ void refuseWhatIsNotBuilt(const BuildLine& line) {
 void refuseWhatCannotBeVerified(const BuildLine& line, std::span<const writer::Format* const> formats) {
   const bool read = std::any_of(formats.begin(), formats.end(), [](const writer::Format* format) {
     return format->name == "x3d" || format->name == "splats" || format->name == "glb" ||
-           format->name == "tiles";
+           format->name == "pack" || format->name == "tiles";
   });
   if (line.verify && !read)
-    throw base::UsageError("--verify", "reads x3d, splats, glb or tiles, and none is written",
+    throw base::UsageError("--verify", "reads x3d, splats, glb, pack or tiles, and none is written",
                            "add one of them to --formats");
 }
 

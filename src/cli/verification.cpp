@@ -10,14 +10,17 @@ namespace cloudgen::cli {
 check::WrittenScene readWritten(const std::filesystem::path& folder, const std::string& format,
                                 const base::LocalFrame& frame, const base::Progress& progress) {
   const auto splats = folder / "scene.splats.glb", x3d = folder / "scene.x3d", glb = folder / "scene.glb",
-             tiles = folder / "tileset.json";
-  const bool hasSplats = std::filesystem::exists(splats), hasX3d = std::filesystem::exists(x3d);
+             pack = folder / "scene.cgpack", tiles = folder / "tileset.json";
+  const auto isThere = [](const std::filesystem::path& file) { return std::filesystem::exists(file); };
+  const bool hasX3d = isThere(x3d);
   progress.step("verify: read", 0);
   std::string chosen = format;
-  if (format == "auto") chosen = hasSplats ? "splats" : hasX3d ? "x3d" : std::filesystem::exists(glb) ? "glb" : "tiles";
-  if (format == "auto" && chosen == "tiles" && !std::filesystem::exists(tiles))
-    throw base::InputError(folder.string(), "has no scene.splats.glb, scene.x3d, scene.glb or tileset.json",
-                           "build it with --formats x3d, splats, glb or tiles");
+  if (format == "auto")
+    chosen = isThere(pack) ? "pack" : isThere(splats) ? "splats" : hasX3d ? "x3d" : isThere(glb) ? "glb" : "tiles";
+  if (format == "auto" && chosen == "tiles" && !isThere(tiles))
+    throw base::InputError(folder.string(), "has no scene.cgpack, scene.splats.glb, scene.x3d, scene.glb or tileset.json",
+                           "build it with --formats pack, x3d, splats, glb or tiles");
+  if (chosen == "pack") return check::readPackScene(pack);
   if (chosen == "x3d") return check::readX3dScene(x3d, progress);
   if (chosen == "glb") return check::readGlbScene(glb);
   check::WrittenScene scene =

@@ -11,9 +11,10 @@
 
 namespace cloudgen::cli {
 
-/// Reads the scene of a folder for verification: "x3d", "splats", "glb" or "tiles", which stand on the globe
-/// and are taken back to the frame; "auto" takes the splats if they are there, as they keep every puff, and
-/// the names of the clouds from the X3D beside them; else X3D, GLB, tiles. Throws InputError if it is not there.
+/// Reads the scene of a folder for verification: "pack", "x3d", "splats", "glb" or "tiles", which stand on the globe
+/// and are taken back to the frame; "auto" takes the pack if it is there, as it keeps every puff, how dense it is and
+/// the names of the clouds; else the splats, with the names from the X3D beside them; else X3D, GLB, tiles. Throws
+/// InputError if it is not there.
 check::WrittenScene readWritten(const std::filesystem::path& folder, const std::string& format,
                                 const base::LocalFrame& frame, const base::Progress& progress);
 

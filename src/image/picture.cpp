@@ -1,23 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "image/picture.hpp"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "base/error.hpp"
+#include "base/file.hpp"
 
 namespace cloudgen::image {
 
-void writePng(const std::filesystem::path& file, const ByteImage& image) {
-  const auto fail = [&](const std::string& reason) {
-    throw base::OutputError(file.string(), "cannot be written as PNG (" + reason + ")",
-                            "check the folder, its permissions and the free space");
+std::string pngBytes(const ByteImage& image) {
+  const auto fail = [](const std::string& reason) {
+    throw base::OutputError("PNG", "a picture cannot be encoded (" + reason + ")",
+                            "check the installation of OpenImageIO");
   };
-  const std::filesystem::path beside = file.parent_path() / (file.stem().string() + ".part.png");
   auto writer = OIIO::ImageOutput::create("png");
   if (!writer) fail("OpenImageIO has no PNG writer");
+  std::vector<unsigned char> bytes;
+  OIIO::Filesystem::IOVecOutput proxy(bytes);
   OIIO::ImageSpec spec(image.width, image.height, image.channels, OIIO::TypeDesc::UINT8);
   if (image.channels == 2) {
     spec.channelnames = {"Y", "A"};
@@ -25,17 +28,15 @@ void writePng(const std::filesystem::path& file, const ByteImage& image) {
   }
   if (image.channels != 3) spec.attribute("oiio:UnassociatedAlpha", 1);
   spec.attribute("png:compressionLevel", 9);
-  if (!writer->open(beside.string(), spec)) fail(writer->geterror());
+  if (!writer->set_ioproxy(&proxy) || !writer->open("memory.png", spec)) fail(writer->geterror());
   const bool written = writer->write_image(OIIO::TypeDesc::UINT8, image.bytes.data());
   const std::string reason = writer->geterror();
-  if (!writer->close() || !written) {
-    std::error_code ignored;
-    std::filesystem::remove(beside, ignored);
-    fail(reason);
-  }
-  std::error_code error;
-  std::filesystem::rename(beside, file, error);
-  if (error) fail(error.message());
+  if (!writer->close() || !written) fail(reason);
+  return {bytes.begin(), bytes.end()};
+}
+
+void writePng(const std::filesystem::path& file, const ByteImage& image) {
+  base::writeFile(file, pngBytes(image));
 }
 
 void writePng(const std::filesystem::path& file, const Picture& picture) {

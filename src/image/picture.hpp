@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <glm/vec3.hpp>
+#include <string>
 #include <vector>
 
 namespace cloudgen::image {
@@ -27,7 +28,10 @@ struct ByteImage {
   std::vector<unsigned char> bytes;
 };
 
-/// Writes a PNG (through OpenImageIO); the same bytes for the same image. Throws OutputError.
+/// A PNG file (through OpenImageIO); the same bytes for the same image. Throws OutputError.
+std::string pngBytes(const ByteImage& image);
+
+/// Writes a PNG; the file is whole or absent. Throws OutputError.
 void writePng(const std::filesystem::path& file, const ByteImage& image);
 void writePng(const std::filesystem::path& file, const Picture& picture);
 

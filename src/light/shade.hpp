@@ -31,8 +31,11 @@ glm::vec3 dimming(float sunlight, const glm::vec3& sunColor, const Sky& sky);
 /// The light of a puff of a cloud that gets only a share of the sun.
 PuffLight inShadow(const PuffLight& light, float sunlight, const glm::vec3& sunColor, const Sky& sky);
 
-/// Light of puffs that stand for many (shape::reduce): the mean of the lights about each, by area and by
-/// nearness in its deviations.
+/// What a puff counts in the light of one that stands for many: by area and by nearness in its deviations.
+float weightWithin(const shape::Puff& puff, const shape::Puff& merged);
+
+/// Light of puffs that stand for many (shape::reduce): the mean of the lights about each
+/// (weightWithin).
 std::vector<PuffLight> averageLight(std::span<const shape::Puff> puffs, std::span<const PuffLight> lights,
                                     std::span<const shape::Puff> merged);
 

@@ -281,6 +281,8 @@ float brightAnswer(std::span<const shape::Puff> puffs, std::span<const PuffTrans
 
 }  // namespace
 
+float levelOf(const PuffTransfer& transfer) { return glm::smoothstep(0.75f, 1.0f, transfer.upward); }
+
 float seenArea(const shape::Puff& puff, const PuffTransfer& transfer) {
   return puff.sigma.x * puff.sigma.z * transfer.visibility;
 }

@@ -143,11 +143,13 @@ scene::Scene produce(const field::CloudTable& table, const Origin& origin, const
   for (std::uint32_t i = 0; i < lits.size(); ++i) litsOf[lits[i].first].push_back(i);
   base::parallelFor(keys.size(), [&](size_t a) {
     if (progress.cancelled && progress.cancelled()) return;
-    const scene::Archetype& archetype = scene.archetypes[a];
+    scene::Archetype& archetype = scene.archetypes[a];
     const light::ExtinctionGrid grid =
         gridOf(archetype, options.recipes.of(archetype.genus, isThin(keys[a].layerClass)));
     const light::CloudTransfer transfer =
         light::bakeTransfer(archetype.puffs, grid, asymmetryOf(archetype.genus));
+    archetype.response = light::responseOf(archetype.puffs, transfer, shadingOf(archetype.genus),
+                                           static_cast<float>(lightHeightOf(archetype.genus)));
     for (const std::uint32_t i : litsOf[a])
       scene.lit[i] = lightArchetype(lits[i].first, lits[i].second, archetype, transfer, origin);
   });

@@ -26,6 +26,14 @@ shape::Puff placed(const Scene& scene, const Instance& instance, const shape::Pu
   return out;
 }
 
+shape::Bounds boundsOf(const Scene& scene, const Instance& instance) {
+  const shape::Bounds& box = scene.archetypes[scene.lit[instance.lit].archetype].bounds;
+  const glm::vec3 half = glm::max(glm::abs(box.lower), glm::abs(box.upper)) * instance.scale;
+  const float reach = std::hypot(half.x, half.z);
+  return {instance.position + glm::vec3(-reach, box.lower.y * instance.scale, -reach),
+          instance.position + glm::vec3(reach, box.upper.y * instance.scale, reach)};
+}
+
 float groundAt(const Scene& scene, double x, double z) {
   if (scene.terrain.empty() || !scene.terrain.covers(x, z)) return scene.groundHeightMeters;
   return std::max(scene.groundHeightMeters, static_cast<float>(scene.terrain.heightAt(x, z)));
@@ -53,14 +61,9 @@ std::vector<Tile> tilesOf(const Scene& scene, float sideMeters) {
     const auto [found, isNew] = tiles.try_emplace({row, column});
     Tile& tile = found->second;
     if (isNew) tile = {column, row, glm::vec3(1e30f), glm::vec3(-1e30f), {}};
-    const Archetype& archetype = scene.archetypes[scene.lit[instance.lit].archetype];
-    const glm::vec3 half =
-        glm::max(glm::abs(archetype.bounds.lower), glm::abs(archetype.bounds.upper)) * instance.scale;
-    const float reach = std::hypot(half.x, half.z);
-    tile.lower = glm::min(
-        tile.lower, instance.position + glm::vec3(-reach, archetype.bounds.lower.y * instance.scale, -reach));
-    tile.upper = glm::max(
-        tile.upper, instance.position + glm::vec3(reach, archetype.bounds.upper.y * instance.scale, reach));
+    const shape::Bounds box = boundsOf(scene, instance);
+    tile.lower = glm::min(tile.lower, box.lower);
+    tile.upper = glm::max(tile.upper, box.upper);
     tile.instances.push_back(i);
   }
   std::vector<Tile> out;

@@ -12,6 +12,7 @@
 #include "base/height_field.hpp"
 #include "base/time.hpp"
 #include "light/puff_light.hpp"
+#include "light/response.hpp"
 #include "light/shadow.hpp"
 #include "light/sky.hpp"
 #include "shape/puff.hpp"
@@ -33,6 +34,7 @@ struct Archetype {
   float opticalDepth = 0;                  ///< vertical, mean over the nominal footprint, at factor 1
   std::vector<shape::Puff> farPuffs;  ///< the same cloud as a handful of puffs (at most 8), for far levels
   shape::Puff onePuff;                ///< the same cloud as one puff that covers as much ground
+  light::CloudResponse response;      ///< how its puffs answer to any light, one a puff
 };
 
 /// The light on an archetype under one heading of it: one entry a puff (and one a far puff).
@@ -97,6 +99,9 @@ shape::Puff placed(const Scene& scene, const Instance& instance, const shape::Pu
 
 /// Yaw of a step, radians.
 float yawRadians(int yawStep);
+
+/// The box around an instance, whatever its heading, scene frame.
+shape::Bounds boundsOf(const Scene& scene, const Instance& instance);
 
 /// Height of the ground at a place of the scene frame, metres.
 float groundAt(const Scene& scene, double x, double z);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 
 namespace cloudgen::shape {
 
@@ -17,6 +18,18 @@ float blendedWidening(float opticalDepth, float covering) {
     widening = std::clamp(wanted / reach, 1.0f, 2.0f);
   }
   return widening;
+}
+
+Puff widenedAcross(Puff puff) {
+  constexpr float kCovering = 0.015f;  // many overlap
+  const float by = blendedWidening(frontalOpticalDepth(puff), kCovering);
+  const glm::mat3 axes = glm::mat3_cast(puff.rotation);
+  for (int i = 0; i < 3; ++i) {
+    const float along = glm::mix(by, 1.0f, axes[i].y * axes[i].y);
+    puff.sigma[i] *= along;
+    puff.extinctionPerMeter /= along;
+  }
+  return puff;
 }
 
 }  // namespace cloudgen::shape

@@ -6,6 +6,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "writer/gltf/gltf.hpp"
+#include "writer/pack/pack.hpp"
 #include "writer/page/page.hpp"
 #include "writer/tiles3d/tiles3d.hpp"
 #include "writer/x3d/x3d.hpp"
@@ -19,6 +20,7 @@ std::span<const Format> formats() {
       {"vrml", "VRML97", {"scene.wrl"}, writeVrml97},
       {"splats", "Gaussian splats: glTF with KHR_gaussian_splatting", {"scene.splats.glb"}, writeSplats},
       {"glb", "core glTF 2.0: instanced crossed cards", {"scene.glb"}, writeCards},
+      {"pack", "realtime runtime pack (FlatBuffers)", {"scene.cgpack"}, writePack},
       {"tiles", "3D Tiles 1.1: a quadtree of splats on the globe", {"tileset.json"}, writeTiles, true},
       {"page", "a page that opens in any browser (shows the splats)", {"index.html"}, writePage, false, true},
   };
@@ -26,8 +28,8 @@ std::span<const Format> formats() {
 }
 
 std::span<const std::pair<std::string_view, std::string_view>> formatsNotBuilt() {
-  static constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kLater{
-      {{"pack", "realtime runtime pack"}, {"vdb", "OpenVDB volume"}}};
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 1> kLater{
+      {{"vdb", "OpenVDB volume"}}};
   return kLater;
 }
 

@@ -28,6 +28,8 @@ inline const std::array kRooms{
     Room{"src/writer/", {"base", "scene", "shape", "light", "image"}},
     // A second opinion: what reads the written bytes shares no code with what wrote them.
     Room{"src/check/", {"base", "field"}},
+    // What an application embeds: the standard library and FlatBuffers.
+    Room{"src/runtime/", {}},
     Room{"src/cli/",
          {"base", "field", "input", "shape", "light", "image", "scene", "pipeline", "writer", "check"}},
 };
@@ -55,6 +57,8 @@ inline const std::array kLibraries{
     Library{"Random123/", {"src/base/"}},
     Library{"libnova/", {"src/light/"}},
     Library{"valijson/", {"src/pipeline/"}},
+    Library{"flatbuffers/", {"src/writer/pack/", "src/check/pack/", "src/runtime/"}},
+    Library{"runtime_pack_generated", {"src/writer/pack/", "src/check/pack/", "src/runtime/"}},
     Library{"CLI/", {"src/cli/"}},
     Library{"zlib.h", {"src/base/gzip.cpp"}},
     Library{"CL/", {}},

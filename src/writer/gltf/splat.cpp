@@ -5,7 +5,6 @@
 #include <glm/common.hpp>
 
 #include "light/color.hpp"
-#include "shape/blending.hpp"
 
 namespace cloudgen::writer::gltf {
 namespace {
@@ -32,18 +31,6 @@ void shade(Splat& splat, const light::PuffLight& puffLight, const light::Sun& su
 
 float splatOpacity(const shape::Puff& placedPuff) {
   return -std::expm1(-shape::frontalOpticalDepth(placedPuff));
-}
-
-shape::Puff widened(shape::Puff puff) {
-  constexpr float kCovering = 0.015f;  // many overlap
-  const float by = shape::blendedWidening(shape::frontalOpticalDepth(puff), kCovering);
-  const glm::mat3 axes = glm::mat3_cast(puff.rotation);
-  for (int i = 0; i < 3; ++i) {
-    const float along = glm::mix(by, 1.0f, axes[i].y * axes[i].y);
-    puff.sigma[i] *= along;
-    puff.extinctionPerMeter /= along;
-  }
-  return puff;
 }
 
 Splat splatOf(const shape::Puff& puff, const light::PuffLight& light, const light::Sun& sun) {

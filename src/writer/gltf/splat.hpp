@@ -31,10 +31,7 @@ struct Splat {
 /// 1 - exp(-optical depth) of a puff along its shortest axis.
 float splatOpacity(const shape::Puff& placedPuff);
 
-/// The puff as wide as its splat is: across alone, base and top stay where they are.
-shape::Puff widened(shape::Puff puff);
-
-/// The splat of a puff that is `widened` and lit.
+/// The splat of a puff that is shape::widenedAcross and lit.
 Splat splatOf(const shape::Puff& widenedPuff, const light::PuffLight& light, const light::Sun& sun);
 
 /// Factors of the degree-1 coefficients for light that grows with the cosine between view and `direction`:

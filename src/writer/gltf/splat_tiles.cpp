@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "light/shade.hpp"
+#include "shape/blending.hpp"
 
 namespace cloudgen::writer::gltf {
 namespace {
@@ -41,7 +42,7 @@ std::vector<Splat> splatsOf(const scene::Scene& scene, const scene::Tile& tile) 
     const scene::LitArchetype& lit = scene.lit[cloud.lit];
     const auto& puffs = scene.archetypes[lit.archetype].puffs;
     for (std::uint32_t p = 0; p < lit.puffs.size(); ++p) {
-      const shape::Puff puff = widened(scene::placed(scene, cloud, puffs[p]));
+      const shape::Puff puff = shape::widenedAcross(scene::placed(scene, cloud, puffs[p]));
       if (splatOpacity(puff) >= kLeastOpacity)
         places.push_back({mortonOf(puff.center, lower, metersPerStep), i, p});
     }
@@ -54,7 +55,7 @@ std::vector<Splat> splatsOf(const scene::Scene& scene, const scene::Tile& tile) 
     const scene::Instance cloud = relativeTo(center, scene.instances[place.instance]);
     const scene::LitArchetype& lit = scene.lit[cloud.lit];
     const shape::Puff puff =
-        widened(scene::placed(scene, cloud, scene.archetypes[lit.archetype].puffs[place.puff]));
+        shape::widenedAcross(scene::placed(scene, cloud, scene.archetypes[lit.archetype].puffs[place.puff]));
     splats.push_back(splatOf(
         puff, light::inShadow(lit.puffs[place.puff], cloud.sunlight, scene.sun.color, scene.sky), scene.sun));
   }

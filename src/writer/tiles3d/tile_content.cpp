@@ -11,6 +11,7 @@
 
 #include "base/file.hpp"
 #include "base/gzip.hpp"
+#include "shape/blending.hpp"
 #include "writer/gltf/splat_columns.hpp"
 #include "writer/gltf/spz.hpp"
 
@@ -39,7 +40,7 @@ struct PlacedPuff {
 std::vector<PlacedPuff> placedPuffs(std::vector<LitPuff> puffs, const Placement& placement, Region& region) {
   std::vector<PlacedPuff> out;
   for (LitPuff& lit : puffs) {
-    lit.puff = gltf::widened(lit.puff);
+    lit.puff = shape::widenedAcross(lit.puff);
     if (gltf::splatOpacity(lit.puff) < gltf::kLeastOpacity) continue;
     const shape::Bounds box = shape::boundsOf(std::span(&lit.puff, 1), kReach);
     const glm::dvec3 half = 0.5 * glm::dvec3(box.upper - box.lower);
