@@ -13,6 +13,7 @@
 #include "check/tiles3d/validate_tileset.hpp"
 #include "support/gltf_scene.hpp"
 #include "support/scratch.hpp"
+#include "shape/blending.hpp"
 #include "writer/gltf/splat.hpp"
 #include "writer/tiles3d/tiles3d.hpp"
 
@@ -79,7 +80,7 @@ TEST_P(TilesOnTheGlobe, EveryPuffIsWithinAMeterOfTheModelsPlace) {
   for (const scene::Instance& instance : scene.instances)
     for (const shape::Puff& own : scene.archetypes[scene.lit[instance.lit].archetype].puffs) {
       const shape::Puff puff = scene::placed(scene, instance, own);
-      if (gltf::splatOpacity(gltf::widened(puff)) < gltf::kLeastOpacity) continue;
+      if (gltf::splatOpacity(shape::widenedAcross(puff)) < gltf::kLeastOpacity) continue;
       ++visible;
       expected += shape::extinctionArea(puff);
       const glm::dvec3 earth = byProj(puff.center);
