@@ -18,6 +18,15 @@ Bytef* bytePointer(std::string_view bytes) {
   return reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
 }
 
+/// Hands the next bytes to a stream that has none left: it counts them in 32 bits.
+void feed(z_stream& stream, std::string_view& bytes) {
+  if (stream.avail_in > 0) return;
+  const std::size_t taken = std::min<std::size_t>(bytes.size(), std::size_t{1} << 30);
+  stream.next_in = bytePointer(bytes);
+  stream.avail_in = static_cast<uInt>(taken);
+  bytes.remove_prefix(taken);
+}
+
 }  // namespace
 
 std::string gzipped(std::string_view bytes) {
@@ -31,12 +40,7 @@ std::string gzipped(std::string_view bytes) {
   std::string block(kBlockBytes, '\0');
   int status = Z_OK;
   while (status == Z_OK) {
-    if (stream.avail_in == 0 && !bytes.empty()) {
-      const std::size_t taken = std::min<std::size_t>(bytes.size(), std::size_t{1} << 30);
-      stream.next_in = bytePointer(bytes);
-      stream.avail_in = static_cast<uInt>(taken);
-      bytes.remove_prefix(taken);
-    }
+    feed(stream, bytes);
     stream.next_out = bytePointer(block);
     stream.avail_out = static_cast<uInt>(block.size());
     status = deflate(&stream, bytes.empty() ? Z_FINISH : Z_NO_FLUSH);
@@ -57,12 +61,7 @@ std::string unzipped(std::string_view bytes, const std::string& where, std::uint
   std::string out;
   std::string block(kBlockBytes, '\0');
   while (true) {
-    if (stream.avail_in == 0) {
-      const std::size_t taken = std::min<std::size_t>(bytes.size(), std::size_t{1} << 30);
-      stream.next_in = bytePointer(bytes);
-      stream.avail_in = static_cast<uInt>(taken);
-      bytes.remove_prefix(taken);
-    }
+    feed(stream, bytes);
     stream.next_out = bytePointer(block);
     stream.avail_out = static_cast<uInt>(block.size());
     const int status = inflate(&stream, Z_NO_FLUSH);

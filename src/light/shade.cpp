@@ -14,6 +14,11 @@ namespace {
 
 float luminance(const glm::vec3& color) { return glm::dot(color, glm::vec3(0.2126f, 0.7152f, 0.0722f)); }
 
+/// As kSkyAtNoon says.
+float skyShareUnder(const glm::vec3& sunColor) {
+  return glm::mix(kSkyWithoutSun, kSkyAtNoon, std::min(1.0f, luminance(sunColor)));
+}
+
 /// As kContrast says.
 glm::vec3 developed(glm::vec3 color, float face) {
   color *= std::pow(luminance(color) / face, kContrast - 1.0f);
@@ -29,7 +34,7 @@ std::vector<PuffLight> shadePuffs(std::span<const shape::Puff> puffs, const Clou
                                   const Lighting& lighting, float shading) {
   // As a photographer exposes: a bright face comes out just white, whatever the hour and the cloud; but night
   // stays night.
-  const float skyShare = glm::mix(kSkyWithoutSun, kSkyAtNoon, std::min(1.0f, luminance(lighting.sunColor)));
+  const float skyShare = skyShareUnder(lighting.sunColor);
   const float face = luminance(kSun * lighting.sunColor + skyShare * lighting.sky.ambient) + 1e-6f;
   const float exposure = std::min(kWhite / face, kMostExposure);
   const float lift = std::pow(std::max(lighting.sunDirection.y, kLowest), -kLift);
@@ -46,10 +51,12 @@ std::vector<PuffLight> shadePuffs(std::span<const shape::Puff> puffs, const Clou
     const float sun =
         std::clamp(dot(transfer.sun, harmonics) / glm::mix(bright, kFace / kBelow, below), 0.0f, kMostSun);
     const float level = thick * levelOf(transfer);
-    const float lit = glm::mix(1.0f, lift, level) * glm::mix(glm::mix(kFlatSun, kFlatBelow, below), sun, shading);
-    const glm::vec3 radiance = kSun * lighting.sunColor * cloud.once.even * lit +
-                               skyShare * lighting.sky.ambient * glm::mix(kFlatSky, transfer.sky, shading) +
-                               kGround * lighting.sky.bounce * glm::mix(kFlatGround, transfer.ground, shading);
+    const float lit =
+        glm::mix(1.0f, lift, level) * glm::mix(glm::mix(kFlatSun, kFlatBelow, below), sun, shading);
+    const glm::vec3 radiance =
+        kSun * lighting.sunColor * cloud.once.even * lit +
+        skyShare * lighting.sky.ambient * glm::mix(kFlatSky, transfer.sky, shading) +
+        kGround * lighting.sky.bounce * glm::mix(kFlatGround, transfer.ground, shading);
     const float forward = std::min(kForward * std::clamp(dot(transfer.through, harmonics), 0.0f, 1.0f) +
                                        exposure * kSun * cloud.once.towards * lit,
                                    kMostForward);
@@ -70,8 +77,8 @@ std::vector<PuffLight> shadePuffs(std::span<const shape::Puff> puffs, const Clou
 }
 
 glm::vec3 dimming(float sunlight, const glm::vec3& sunColor, const Sky& sky) {
-  const float skyShare = glm::mix(kSkyWithoutSun, kSkyAtNoon, std::min(1.0f, luminance(sunColor)));
-  const glm::vec3 other = kMeanSky * skyShare * sky.ambient + kMeanGround * kGround * sky.bounce;
+  const glm::vec3 other =
+      kMeanSky * skyShareUnder(sunColor) * sky.ambient + kMeanGround * kGround * sky.bounce;
   const glm::vec3 whole = kMeanSun * kSun * sunColor + other;
   return (sunlight * kMeanSun * kSun * sunColor + other) / glm::max(whole, glm::vec3(1e-6f));
 }

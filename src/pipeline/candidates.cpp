@@ -41,10 +41,15 @@ double densityOf(const field::Layer& layer, const shape::Recipe& recipe) {
   return recipe.sheet ? 1.0 : std::min(3.0, 0.15 + 3.0 * layer.fraction);
 }
 
+/// Depth of an even layer whose lower and upper heights these are.
+double wholeDepth(double lowerMeters, double upperMeters) {
+  return (upperMeters - lowerMeters) / (1 - 2 * field::kBorderShare);
+}
+
 /// Small heaps are shallow, large ones deep: all of them so much deeper that the deepest of those that come
 /// first reaches the layer's top.
 void reachTheTop(std::span<Candidate> heaps, std::size_t expected, const field::Layer& layer) {
-  const float depth = (layer.upperMeters - layer.lowerMeters) / (1 - 2 * field::kBorderShare);
+  const auto depth = static_cast<float>(wholeDepth(layer.lowerMeters, layer.upperMeters));
   float deepest = 0;
   for (const Candidate& heap : heaps.first(std::min(heaps.size(), std::max<std::size_t>(1, expected))))
     deepest = std::max(deepest, heap.depthMeters);
@@ -100,7 +105,7 @@ Candidates candidatesOf(const CandidateContext& context, const field::Layer& lay
             structure.along(candidate.place, {layer.windEast, layer.windNorth}, recipe.streets) +
             softened * stream.gaussian();
         candidate.rank = rankOf(deviate / std::sqrt(1 + softened * softened)) / here.fraction + later;
-        const double depth = (here.upperMeters - here.lowerMeters) / (1 - 2 * field::kBorderShare);
+        const double depth = wholeDepth(here.lowerMeters, here.upperMeters);
         const CloudSize size = sizeOf(layer, candidate.number, depth, meanWidth, options);
         candidate.depthMeters = static_cast<float>(size.depthMeters);
         candidate.widthMeters = static_cast<float>(size.widthMeters);

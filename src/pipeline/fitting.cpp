@@ -139,7 +139,7 @@ class Fitting {
   /// A narrower heap is less deep, too, where it would else be a column; a form of its own keeps its
   /// proportions.
   static double depthAt(const shape::Recipe& recipe, const Candidate& candidate, double share) {
-    constexpr double kSlender = 1.5;  ///< depth over width
+    constexpr double kSlender = 0.6;  ///< depth over width
     const bool ownForm = recipe.form == shape::Form::File;
     if (recipe.sheet || (recipe.form != shape::Form::Heap && !ownForm)) return candidate.depthMeters;
     if (ownForm) return candidate.depthMeters * std::max(0.3, share);

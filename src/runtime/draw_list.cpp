@@ -7,9 +7,6 @@
 namespace cloudgen::runtime {
 namespace {
 
-/// A pass over a puff is cheaper than finding it.
-constexpr std::uint64_t kPassesAPuff = 1;
-
 bool sameLens(const Camera& a, const Camera& b) {
   return a.widthPixels == b.widthPixels && a.heightPixels == b.heightPixels &&
          a.verticalFieldRadians == b.verticalFieldRadians && a.farMeters == b.farMeters;
@@ -70,7 +67,7 @@ bool DrawList::advance(std::uint64_t work) noexcept {
   }
   std::uint64_t left = work - std::min(work, selection_.work() - before);
   const std::size_t count = selection_.puffs().size();
-  const std::uint64_t passWork = kPassesAPuff * count;
+  const std::uint64_t passWork = count;
   const int next = 1 - shown_;
   for (; passesDone_ < 2; ++passesDone_) {
     // A pass is not cut in two: it waits for a frame that has half of it to spare.

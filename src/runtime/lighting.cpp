@@ -14,7 +14,8 @@ using Harmonics = std::array<float, kHarmonics>;
 
 float luminance(const Vec3& color) { return dot(color, {0.2126f, 0.7152f, 0.0722f}); }
 
-/// Real spherical harmonics to degree 3, as schemas/runtime_pack.fbs orders them (Sloan 2008; y up).
+/// Real spherical harmonics to degree 3, as schemas/runtime_pack.fbs orders them (Sloan 2008; y up). The runtime has
+/// nothing of the compiler in it: light/harmonics.cpp is the other end, and a test compares the colours.
 Harmonics harmonicsOf(const Vec3& d) {
   const float x = d.x, y = d.z, z = d.y, xx = x * x, yy = y * y, zz = z * z;
   return {0.28209479f,
@@ -126,17 +127,19 @@ void Lighting::setSun(const SunPlace& sun) noexcept {
     sunColors_[h] = mix(vec3(*root.sun_colors()->Get((above - 1) * heights + h)),
                         vec3(*root.sun_colors()->Get(above * heights + h)), share);
   const pack::Tone& tone = *root.tone();
+  const float lift = std::pow(std::fmax(direction_.y, root.lift_lowest()), -root.lift_power());
   for (std::uint32_t row = 0; row < rows_.size(); ++row) {
     if (rows_[row] < 0) continue;
     const std::uint32_t archetype = row / kYawSteps;
     const float white =
         luminance(sunColor(archetype) * tone.white_sun() + sky_.ambient * skyShare(archetype)) + 1e-6f;
     const float exposure = std::min(tone.white() / white, tone.most_exposure());
-    lightRow(archetype, row % kYawSteps, exposure, exposure * white / tone.white());
+    lightRow(archetype, row % kYawSteps, {exposure, exposure * white / tone.white(), lift});
   }
 }
 
-void Lighting::lightRow(std::uint32_t index, std::uint32_t yawStep, float exposure, float face) noexcept {
+void Lighting::lightRow(std::uint32_t index, std::uint32_t yawStep, const Exposure& set) noexcept {
+  const auto [exposure, face, lift] = set;
   const pack::Archetype& archetype = *pack_->root().archetypes()->Get(index);
   const ArchetypeInfo& info = pack_->archetypes()[index];
   const pack::Tone& tone = *pack_->root().tone();
@@ -146,7 +149,6 @@ void Lighting::lightRow(std::uint32_t index, std::uint32_t yawStep, float exposu
     weights[i] *= archetype.sun_scale()->Get(static_cast<std::uint32_t>(i)) / 127;
     forward[i] *= archetype.forward_scale()->Get(static_cast<std::uint32_t>(i)) / 127;
   }
-  const float lift = std::pow(std::fmax(direction_.y, pack_->root().lift_lowest()), -pack_->root().lift_power());
   const std::uint32_t first = firstPuff(info), end = endPuff(info);
   PuffColor* const colors = colors_.data() + rows_[index * kYawSteps + yawStep];
   Vec3 mean;

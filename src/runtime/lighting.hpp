@@ -60,7 +60,10 @@ class Lighting {
  private:
   /// Share of the ambient sky that clouds of an archetype get.
   float skyShare(std::uint32_t archetype) const noexcept;
-  void lightRow(std::uint32_t archetype, std::uint32_t yawStep, float exposure, float face) noexcept;
+  struct Exposure {
+    float exposure, face, lift;  ///< of radiances; the tone of a white face; of level tops
+  };
+  void lightRow(std::uint32_t archetype, std::uint32_t yawStep, const Exposure& set) noexcept;
 
   const PackView* pack_ = nullptr;
   std::vector<std::int64_t> rows_;

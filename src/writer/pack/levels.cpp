@@ -32,7 +32,6 @@ float errorOf(std::span<const shape::Puff> puffs, std::span<const shape::Puff> m
 std::vector<Level> levelsOf(const scene::Archetype& archetype) {
   assert(archetype.response.puffs.size() == archetype.puffs.size());
   std::vector<Level> levels{{archetype.puffs, archetype.response.puffs, 0}};
-  for (shape::Puff& puff : levels.front().puffs) puff = shape::widenedAcross(puff);
   const auto add = [&](std::vector<shape::Puff> puffs) {
     if (puffs.empty() || puffs.size() >= levels.back().puffs.size()) return;
     const float error = std::max(errorOf(archetype.puffs, puffs), 1.01f * levels.back().errorMeters);
@@ -42,6 +41,8 @@ std::vector<Level> levelsOf(const scene::Archetype& archetype) {
   if (quarter > archetype.farPuffs.size()) add(shape::reduce(archetype.puffs, static_cast<int>(quarter)));
   add(archetype.farPuffs);
   add({archetype.onePuff});
+  for (Level& level : levels)
+    for (shape::Puff& puff : level.puffs) puff = shape::widenedAcross(puff);
   return levels;
 }
 

@@ -11,9 +11,9 @@
 #include "base/gzip.hpp"
 #include "check/tiles3d/read_tiles.hpp"
 #include "check/tiles3d/validate_tileset.hpp"
+#include "shape/blending.hpp"
 #include "support/gltf_scene.hpp"
 #include "support/scratch.hpp"
-#include "shape/blending.hpp"
 #include "writer/gltf/splat.hpp"
 #include "writer/tiles3d/tiles3d.hpp"
 
@@ -92,18 +92,17 @@ TEST_P(TilesOnTheGlobe, EveryPuffIsWithinAMeterOfTheModelsPlace) {
   for (const check::GlobeSplat& splat : splats) {
     std::array<double, 3> sigma{};
     for (int i = 0; i < 3; ++i) sigma[static_cast<std::size_t>(i)] = glm::length(splat.halfAxes[i]);
-    written += 2 * std::numbers::pi * splat.opticalDepth * sigma[0] * sigma[1] * sigma[2] / *std::ranges::min_element(sigma);
+    written += 2 * std::numbers::pi * splat.opticalDepth * sigma[0] * sigma[1] * sigma[2] /
+               *std::ranges::min_element(sigma);
   }
   EXPECT_NEAR(written / expected, 1, content == TileContent::Packed ? 0.02 : 1e-4);
 }
 
-constexpr Box kBoxes[]{{"middle", {10.0, 50.0, 10.2, 50.2}},
-                       {"antimeridian", {179.8, -17.0, -179.9, -16.8}},
-                       {"north pole", {-180, 89.7, 180, 90}},
-                       {"south pole", {-180, -90, 180, -89.7}},
-                       {"near the pole", {20, 89.5, 60, 89.8}},
-                       {"half the globe", {-140, -60, 150, 70}},
-                       {"continent", {-130, 20, -60, 55}}};
+constexpr Box kBoxes[]{
+    {"middle", {10.0, 50.0, 10.2, 50.2}},    {"antimeridian", {179.8, -17.0, -179.9, -16.8}},
+    {"north pole", {-180, 89.7, 180, 90}},   {"south pole", {-180, -90, 180, -89.7}},
+    {"near the pole", {20, 89.5, 60, 89.8}}, {"half the globe", {-140, -60, 150, 70}},
+    {"continent", {-130, 20, -60, 55}}};
 
 INSTANTIATE_TEST_SUITE_P(Boxes, TilesOnTheGlobe,
                          testing::Combine(testing::ValuesIn(kBoxes),
@@ -153,10 +152,12 @@ TEST(Tiles, LargeSkiesAreTreesOfTilesAndValid) {
   EXPECT_EQ(root["clouds"], scene.instances.size());
   EXPECT_EQ(root["genera"], "Ci Cu");
   std::size_t below = 0;
-  for (const Json& child : tileset["root"]["children"]) below += child["metadata"]["properties"]["clouds"].get<std::size_t>();
+  for (const Json& child : tileset["root"]["children"])
+    below += child["metadata"]["properties"]["clouds"].get<std::size_t>();
   EXPECT_EQ(below, scene.instances.size());
   std::size_t files = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(folder.path() / "tiles")) files += entry.is_regular_file();
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path() / "tiles"))
+    files += entry.is_regular_file();
   EXPECT_GT(files, 4u);
 }
 
