@@ -138,8 +138,9 @@ std::uint32_t Canvas::indexOf(std::uint32_t cell) const {
 }
 
 std::uint32_t Canvas::layerAt(const PaintedCell& cell, float baseMeters, float topMeters) const {
+  constexpr float kLeastShare = 0.5f;  // of a cloud's depth: less of it at a layer's height is no part of that
   std::uint32_t best = cell.firstLayer + cell.layerCount;
-  float most = 0;
+  float most = kLeastShare * (topMeters - baseMeters);
   for (std::uint32_t i = cell.firstLayer; i < cell.firstLayer + cell.layerCount; ++i) {
     const float overlap =
         std::min(layers_[i].topMeters, topMeters) - std::max(layers_[i].baseMeters, baseMeters);

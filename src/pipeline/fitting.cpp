@@ -22,6 +22,9 @@ constexpr int kRounds = 4, kBalancings = 2, kLastBalancings = 8;
 constexpr int kPatience = 12;
 /// Weight of the cover of all layers together, beside that of each.
 constexpr double kWeightOfAll = 0.5;
+/// Weight of the mean error of the whole sky, squared, beside the mean of the squared errors of its cells:
+/// errors of cells that all have one sign make a bias.
+constexpr double kWeightOfMean = 10;
 constexpr double kFullCover = 0.985, kNear = 0.01;
 
 /// A candidate that stands.
@@ -29,6 +32,12 @@ struct Taken {
   std::uint32_t candidate = 0;
   Stamp stamp;
   double share = 0, next = 0;  ///< of the layer's water, m2; and what it comes to after balancing
+};
+
+/// Covered pixels of the whole sky beyond those that are wanted: of a genus, of all.
+struct Surplus {
+  std::array<double, base::kGenusCount> ofGenus{};
+  double ofAll = 0;
 };
 
 /// The state of a layer while its clouds are found.
@@ -60,11 +69,13 @@ class Fitting {
         footprints_(footprints),
         canvas_(context.grid, context.frame, cells, layers, pixelMeters) {
     wantedOfAll_.assign(canvas_.cells().size(), 0);
+    for (const PaintedCell& cell : canvas_.cells()) pixels_ += cell.pixels;
     gather();
   }
 
   std::vector<FittedCloud> run() {
     for (Filling& filling : fillings_) fill(filling);
+    allAreFilled_ = true;
     for (int round = 0; round < kRounds; ++round) {
       shareOutWater();
       balanceOpticalDepth(round + 1 < kRounds ? kBalancings : kLastBalancings);
@@ -158,8 +169,8 @@ class Fitting {
   }
 
   /// How much nearer (below 0) or further the stroke takes the canvas to what is wanted.
-  double changeOfError(const Stroke& stroke) {
-    double change = 0;
+  double changeOfError(const Stroke& stroke) const {
+    double change = changeOfMeanError(changeOfSurplus(stroke));
     for (const Stroke::Touched& touched : stroke.touched) {
       const PaintedCell& cell = canvas_.cells()[touched.cell];
       const PaintedLayer& layer = canvas_.layers()[touched.layer];
@@ -172,6 +183,37 @@ class Fitting {
       change += here / cell.pixels;
     }
     return change;
+  }
+
+  Surplus changeOfSurplus(const Stroke& stroke) const {
+    Surplus change;
+    for (const Stroke::Touched& touched : stroke.touched) {
+      change.ofAll += touched.coveredByAnyChange;
+      if (const auto genus = genusOf(touched.layer)) change.ofGenus[*genus] += touched.coveredChange;
+    }
+    return change;
+  }
+
+  double changeOfMeanError(const Surplus& change) const {
+    if (!allAreFilled_) return 0;
+    double sum = kWeightOfAll * (squared(surplus_.ofAll + change.ofAll) - squared(surplus_.ofAll));
+    for (std::size_t g = 0; g < change.ofGenus.size(); ++g)
+      sum += squared(surplus_.ofGenus[g] + change.ofGenus[g]) - squared(surplus_.ofGenus[g]);
+    return kWeightOfMean * sum / pixels_;
+  }
+
+  /// Of a painted layer that covers; none of what strays.
+  std::optional<std::size_t> genusOf(std::uint32_t painted) const {
+    const PaintedLayer& layer = canvas_.layers()[painted];
+    if (!layer.covers || !(layer.wantedCover > 0)) return std::nullopt;
+    return static_cast<std::size_t>(layers_[layer.layer].genus);
+  }
+
+  void paint() {
+    canvas_.paint(stroke_);
+    const Surplus change = changeOfSurplus(stroke_);
+    surplus_.ofAll += change.ofAll;
+    for (std::size_t g = 0; g < change.ofGenus.size(); ++g) surplus_.ofGenus[g] += change.ofGenus[g];
   }
 
   /// Takes a candidate at the width that brings the canvas nearest to what is wanted, if any does.
@@ -197,7 +239,7 @@ class Fitting {
 
   void accept(Filling& filling, std::uint32_t number, const Stamp& stamp) {
     canvas_.brush(stamp, 1, stroke_);
-    canvas_.paint(stroke_);
+    paint();
     filling.taken.push_back({number, stamp, 0, 0});
   }
 
@@ -324,7 +366,7 @@ class Fitting {
     const Stamp was = filling.taken[i].stamp;
     canvas_.brush(was, -1, stroke_);
     const double change = changeOfError(stroke_);
-    canvas_.paint(stroke_);
+    paint();
     const Candidate& candidate = filling.candidates.list[filling.taken[i].candidate];
     const shape::Recipe& recipe = recipeOf(filling);
     const auto holdsItsWater = [&](const Stamp& stamp) {
@@ -345,7 +387,7 @@ class Fitting {
     }
     if (least > 0 && canBeMissed(filling, i)) return giveAway(filling, i);
     canvas_.brush(best, 1, stroke_);
-    canvas_.paint(stroke_);
+    paint();
     filling.taken[i].stamp = best;
   }
 
@@ -368,11 +410,11 @@ class Fitting {
     for (const Taken& taken : filling.taken) left += taken.stamp.extinctionArea;
     for (Taken& taken : filling.taken) {
       canvas_.brush(taken.stamp, -1, stroke_);
-      canvas_.paint(stroke_);
+      paint();
       taken.share *= 1 + water / left;
       taken.stamp.extinctionArea *= 1 + water / left;
       canvas_.brush(taken.stamp, 1, stroke_);
-      canvas_.paint(stroke_);
+      paint();
     }
   }
 
@@ -431,10 +473,14 @@ class Fitting {
 
   void repaint() {
     canvas_.clear();
+    surplus_ = {};
+    for (std::size_t c = 0; c < canvas_.cells().size(); ++c) surplus_.ofAll -= wantedOfAll_[c];
+    for (std::uint32_t i = 0; i < canvas_.layers().size(); ++i)
+      if (const auto genus = genusOf(i)) surplus_.ofGenus[*genus] -= canvas_.layers()[i].wantedCover;
     for (const Filling& filling : fillings_)
       for (const Taken& taken : filling.taken) {
         canvas_.brush(taken.stamp, 1, stroke_);
-        canvas_.paint(stroke_);
+        paint();
       }
   }
 
@@ -443,6 +489,9 @@ class Fitting {
   FootprintBook& footprints_;
   Canvas canvas_;
   std::vector<double> wantedOfAll_;  ///< pixels, of the layers filled so far
+  double pixels_ = 0;                ///< of all cells
+  bool allAreFilled_ = false;
+  Surplus surplus_;
   std::vector<Filling> fillings_;
   int coveredBefore_ = 0;
   Stroke stroke_;
