@@ -13,6 +13,8 @@
 #include "light/shade.hpp"
 #include "light/shadow.hpp"
 #include "pipeline/archetype.hpp"
+#include "pipeline/canvas.hpp"
+#include "shape/blending.hpp"
 #include "shape/generate.hpp"
 
 namespace cloudgen::pipeline {
@@ -30,6 +32,7 @@ scene::Archetype makeArchetype(const ArchetypeKey& key, const Options& options,
   archetype.widthMeters = static_cast<float>(shape.widthMeters);
   archetype.depthMeters = static_cast<float>(shape.depthMeters);
   archetype.opticalDepth = static_cast<float>(shape.opticalDepth);
+  archetype.covering = shape::coveringOf(archetype.puffs, kCoveringOpticalDepth);
   constexpr int kFarPuffs = 6;
   const double width = shape.widthMeters, depth = shape.opticalDepth,
                ground = groundCovered(archetype.puffs, width, depth);

@@ -15,6 +15,7 @@
 #include "light/response.hpp"
 #include "light/shadow.hpp"
 #include "light/sky.hpp"
+#include "shape/blending.hpp"
 #include "shape/puff.hpp"
 
 namespace cloudgen::scene {
@@ -30,8 +31,9 @@ struct Archetype {
   std::vector<shape::Puff> puffs;           ///< ordered by section
   std::vector<std::uint32_t> sectionStart;  ///< puffs of section s: [sectionStart[s], sectionStart[s+1])
   shape::Bounds bounds;
-  float widthMeters = 0, depthMeters = 0;  ///< nominal, at scale 1
-  float opticalDepth = 0;                  ///< vertical, mean over the nominal footprint, at factor 1
+  float widthMeters = 0, depthMeters = 0;      ///< nominal, at scale 1
+  float opticalDepth = 0;                      ///< vertical, mean over the nominal footprint, at factor 1
+  float covering = shape::kCoveringAmongMany;  ///< of its puffs drawn as blended blobs: shape::widenedAcross
   std::vector<shape::Puff> farPuffs;  ///< the same cloud as a handful of puffs (at most 8), for far levels
   shape::Puff onePuff;                ///< the same cloud as one puff that covers as much ground
   light::CloudResponse response;      ///< how its puffs answer to any light, one a puff

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
+
 #include "shape/puff.hpp"
 
 namespace cloudgen::shape {
@@ -13,7 +15,20 @@ namespace cloudgen::shape {
 /// ones, at 20 it is 1.5 (1.3 for 0.01), at most 2.
 float blendedWidening(float opticalDepth, float covering);
 
-/// A puff among many as wide as a blended blob of it must be, across alone: base and top stay where they are.
-Puff widenedAcross(Puff puff);
+/// `covering` of a puff among many, where nothing better is known.
+inline constexpr float kCoveringAmongMany = 0.015f;
+
+/// A puff among others as wide as a blended blob of it must be, across alone: base and top stay where they
+/// are.
+Puff widenedAcross(Puff puff, float covering = kCoveringAmongMany);
+
+/// Ground that puffs cover with an optical depth of more than `threshold` straight down, m2: as they are; or
+/// as blobs that are blended, as wide as widenedAcross makes them.
+double coveredSquareMeters(std::span<const Puff> puffs, double threshold);
+double blendedSquareMeters(std::span<const Puff> puffs, double threshold, float covering);
+
+/// The `covering` with which blended blobs of puffs cover together what the puffs do (between 0.001 and 0.3).
+/// It depends on how the flanks of the puffs lie over each other.
+float coveringOf(std::span<const Puff> puffs, double threshold);
 
 }  // namespace cloudgen::shape

@@ -40,9 +40,10 @@ std::vector<Splat> splatsOf(const scene::Scene& scene, const scene::Tile& tile) 
   for (const std::uint32_t i : tile.instances) {
     const scene::Instance cloud = relativeTo(center, scene.instances[i]);
     const scene::LitArchetype& lit = scene.lit[cloud.lit];
-    const auto& puffs = scene.archetypes[lit.archetype].puffs;
+    const scene::Archetype& archetype = scene.archetypes[lit.archetype];
     for (std::uint32_t p = 0; p < lit.puffs.size(); ++p) {
-      const shape::Puff puff = shape::widenedAcross(scene::placed(scene, cloud, puffs[p]));
+      const shape::Puff puff =
+          shape::widenedAcross(scene::placed(scene, cloud, archetype.puffs[p]), archetype.covering);
       if (splatOpacity(puff) >= kLeastOpacity)
         places.push_back({mortonOf(puff.center, lower, metersPerStep), i, p});
     }
@@ -54,8 +55,9 @@ std::vector<Splat> splatsOf(const scene::Scene& scene, const scene::Tile& tile) 
   for (const Place& place : places) {
     const scene::Instance cloud = relativeTo(center, scene.instances[place.instance]);
     const scene::LitArchetype& lit = scene.lit[cloud.lit];
+    const scene::Archetype& archetype = scene.archetypes[lit.archetype];
     const shape::Puff puff =
-        shape::widenedAcross(scene::placed(scene, cloud, scene.archetypes[lit.archetype].puffs[place.puff]));
+        shape::widenedAcross(scene::placed(scene, cloud, archetype.puffs[place.puff]), archetype.covering);
     splats.push_back(splatOf(
         puff, light::inShadow(lit.puffs[place.puff], cloud.sunlight, scene.sun.color, scene.sky), scene.sun));
   }

@@ -42,7 +42,7 @@ std::vector<Level> levelsOf(const scene::Archetype& archetype) {
   add(archetype.farPuffs);
   add({archetype.onePuff});
   for (Level& level : levels)
-    for (shape::Puff& puff : level.puffs) puff = shape::widenedAcross(puff);
+    for (shape::Puff& puff : level.puffs) puff = shape::widenedAcross(puff, archetype.covering);
   return levels;
 }
 

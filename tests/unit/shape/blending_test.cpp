@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+#include <vector>
+
 #include <cmath>
 
 namespace cloudgen::shape {
@@ -33,4 +36,34 @@ TEST(BlendedWidening, ABlobThenCoversWhatItsPuffDoes) {
 TEST(BlendedWidening, ThinBlobsStayAsTheyAre) { EXPECT_NEAR(blendedWidening(0.02f, 0.01f), 1, 0.05); }
 
 }  // namespace
+/// `count` dense puffs side by side that overlap more, the nearer they stand.
+std::vector<Puff> row(int count, float spacingMeters) {
+  std::vector<Puff> puffs;
+  for (int i = 0; i < count; ++i) {
+    Puff puff;
+    puff.center = {spacingMeters * static_cast<float>(i), 500, 0};
+    puff.sigma = {300, 200, 300};
+    puff.extinctionPerMeter = 0.03f;
+    puffs.push_back(puff);
+  }
+  return puffs;
+}
+
+TEST(CoveringOf, BlendedPuffsCoverTheGroundOfPuffsHoweverManyOverlap) {
+  constexpr double kThreshold = 0.1;
+  for (const auto& puffs : {row(1, 0), row(3, 300), row(12, 100), row(30, 40)}) {
+    const float covering = coveringOf(puffs, kThreshold);
+    const double wanted = coveredSquareMeters(puffs, kThreshold);
+    EXPECT_NEAR(blendedSquareMeters(puffs, kThreshold, covering) / wanted, 1, 0.05) << puffs.size();
+  }
+}
+
+TEST(CoveredSquareMeters, OfOnePuffIsItsEllipse) {
+  const auto puffs = row(1, 0);
+  const double opticalDepth = frontalOpticalDepth(puffs.front());
+  EXPECT_NEAR(
+      coveredSquareMeters(puffs, 0.1) / (std::numbers::pi * 300 * 300 * 2 * std::log(opticalDepth / 0.1)), 1,
+      0.05);
+}
+
 }  // namespace cloudgen::shape
