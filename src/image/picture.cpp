@@ -12,7 +12,7 @@
 
 namespace cloudgen::image {
 
-std::string pngBytes(const ByteImage& image) {
+std::string pngBytes(const ByteImage& image, PngEffort effort) {
   const auto fail = [](const std::string& reason) {
     throw base::OutputError("PNG", "a picture cannot be encoded (" + reason + ")",
                             "check the installation of OpenImageIO");
@@ -27,7 +27,7 @@ std::string pngBytes(const ByteImage& image) {
     spec.alpha_channel = 1;
   }
   if (image.channels != 3) spec.attribute("oiio:UnassociatedAlpha", 1);
-  spec.attribute("png:compressionLevel", 9);
+  spec.attribute("png:compressionLevel", effort == PngEffort::Quick ? 3 : 9);
   if (!writer->set_ioproxy(&proxy) || !writer->open("memory.png", spec)) fail(writer->geterror());
   const bool written = writer->write_image(OIIO::TypeDesc::UINT8, image.bytes.data());
   const std::string reason = writer->geterror();
@@ -35,8 +35,8 @@ std::string pngBytes(const ByteImage& image) {
   return {bytes.begin(), bytes.end()};
 }
 
-void writePng(const std::filesystem::path& file, const ByteImage& image) {
-  base::writeFile(file, pngBytes(image));
+void writePng(const std::filesystem::path& file, const ByteImage& image, PngEffort effort) {
+  base::writeFile(file, pngBytes(image, effort));
 }
 
 void writePng(const std::filesystem::path& file, const Picture& picture) {
@@ -47,6 +47,33 @@ void writePng(const std::filesystem::path& file, const Picture& picture) {
       image.bytes.push_back(
           static_cast<unsigned char>(std::lround(255.0f * std::clamp(pixel[c], 0.0f, 1.0f))));
   writePng(file, image);
+}
+
+ByteImage readPng(const std::filesystem::path& file) {
+  const auto fail = [&](const std::string& reason) {
+    throw base::InputError(file.string(), "cannot be read as a PNG (" + reason + ")",
+                           "make the set again with: cloudgen textures");
+  };
+  OIIO::ImageSpec wanted;
+  wanted.attribute("oiio:UnassociatedAlpha", 1);
+  const auto reader = OIIO::ImageInput::open(file.string(), &wanted);
+  if (!reader) fail(OIIO::geterror());
+  const OIIO::ImageSpec& spec = reader->spec();
+  constexpr int kMostPixels = 1 << 14;
+  const int channels = spec.nchannels;
+  if (channels < 1 || channels > 4 || spec.width > kMostPixels || spec.height > kMostPixels)
+    fail("of too many channels or pixels");
+  const size_t pixels = static_cast<size_t>(spec.width) * static_cast<size_t>(spec.height);
+  std::vector<unsigned char> read(static_cast<size_t>(channels) * pixels);
+  if (!reader->read_image(0, 0, 0, channels, OIIO::TypeDesc::UINT8, read.data())) fail(reader->geterror());
+  ByteImage image{spec.width, spec.height, 4, std::vector<unsigned char>(4 * pixels, 255)};
+  const bool hasAlpha = channels % 2 == 0;
+  for (size_t i = 0; i < pixels; ++i) {
+    const unsigned char* from = read.data() + static_cast<size_t>(channels) * i;
+    for (size_t c = 0; c < 3; ++c) image.bytes[4 * i + c] = from[channels > 2 ? c : 0];
+    if (hasAlpha) image.bytes[4 * i + 3] = from[channels - 1];
+  }
+  return image;
 }
 
 }  // namespace cloudgen::image

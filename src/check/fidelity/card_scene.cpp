@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <span>
 
 #include "base/error.hpp"
 
@@ -46,14 +47,19 @@ class Walk {
       own.recorded = node.recorded;
       cloud = &own;
     }
-    const std::size_t shown = node.kind == CardNodeKind::FirstLevel
-                                  ? std::min<std::size_t>(1, node.children.size())
-                                  : node.children.size();
-    for (std::size_t i = 0; i < shown; ++i) visit(node.children[i], pose, cloud);
+    for (const std::uint32_t child : drawnOf(node)) visit(child, pose, cloud);
     if (node.isCloud) scene_.clouds.push_back(own);
   }
 
  private:
+  static std::span<const std::uint32_t> drawnOf(const CardNode& node) {
+    const std::span<const std::uint32_t> all(node.children);
+    if (node.kind == CardNodeKind::FirstLevel) return all.first(std::min<std::size_t>(1, all.size()));
+    if (node.kind != CardNodeKind::Choice) return all;
+    const bool isThere = node.choice >= 0 && node.choice < std::ssize(all);
+    return isThere ? all.subspan(static_cast<std::size_t>(node.choice), 1) : all.first(0);
+  }
+
   /// A Billboard that turns about every axis. One within another keeps facing as that does.
   Pose turning(const Pose& pose) {
     const float scale = glm::length(glm::vec3(pose.matrix[0]));

@@ -15,11 +15,11 @@ namespace cloudgen::check {
 /// A textured rectangle of a cloud, in the coordinates of its Shape.
 struct Card {
   glm::vec3 center{0}, right{0}, up{0};  ///< half-sides; its front looks along right x up
-  float opticalDepth = 0;            ///< of the centre
-  bool front = false, back = false;  ///< which faces are drawn
+  float opticalDepth = 0;                ///< of the centre
+  bool front = false, back = false;      ///< which faces are drawn
 };
 
-enum class CardNodeKind { Group, Transform, FirstLevel, Billboard, Shape };
+enum class CardNodeKind { Group, Transform, FirstLevel, Choice, Billboard, Shape };
 
 /// What matters of a node of the scene graph; children are indices, and may have several parents (USE).
 struct CardNode {
@@ -29,6 +29,8 @@ struct CardNode {
   std::vector<Card> cards;              ///< of a Shape
   std::optional<base::Genus> drawn;     ///< of a Shape: whose sprites
   std::optional<base::Genus> recorded;  ///< of a Transform that is a cloud
+  std::int64_t choice = 0;              ///< of a Choice: index of the child that is drawn, or none
+  bool isFile = false;                  ///< the Group of an Inline
   bool isCloud = false;
   int depth = 1;  ///< of the graph below it
 };

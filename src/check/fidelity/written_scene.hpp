@@ -57,11 +57,12 @@ WrittenScene readTileScene(const std::filesystem::path& file, const base::LocalF
 /// LOD: cards (pairs of triangles with an RGBA colour and a sprite texture) whose sprite falls off as a
 /// Gaussian of 1/2.2 of the half side and ends at the border, of optical depth -ln(1 - alpha); back faces are
 /// not drawn. A Billboard faces the viewer, its y axis to where the viewer has up (north, from above). Shapes
-/// without sprites are no clouds.
-/// Throws InputError where the file is no XML, or is no such scene.
+/// without sprites are no clouds. Files that it inlines are read where they lie in its folder or below; a
+/// Switch with an Inline shows that, as it does once a viewer is near.
+/// Throws InputError where a file is no XML, or it is no such scene, or what it inlines is not there.
 WrittenScene readX3dScene(const std::filesystem::path& file, const base::Progress& progress);
 
-/// The same from bytes; `where` names them in messages.
+/// The same from bytes, without what they inline; `where` names them in messages.
 WrittenScene readX3dScene(std::string_view bytes, const std::string& where);
 
 /// Reads the clouds of scene.glb: meshes whose material blends a picture named by a genus ("Cu"), drawn once

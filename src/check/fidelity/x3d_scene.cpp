@@ -7,14 +7,20 @@
 #include "base/error.hpp"
 #include "check/fidelity/card_scene.hpp"
 #include "check/rules/numbers.hpp"
+#include "check/tiles3d/content_path.hpp"
 #include "check/xsd/xml_parser.hpp"
 
 namespace cloudgen::check {
+namespace fs = std::filesystem;
+
 namespace {
 
 using Attributes = std::span<const XmlAttribute>;
 
 constexpr int kMostDepth = 400;  ///< of the graph, USE followed
+constexpr std::size_t kMostFiles = 10'000;
+constexpr int kMostInlines = 8;  ///< one within another
+constexpr std::uint32_t kNone = UINT32_MAX;
 
 std::string_view value(Attributes attributes, std::string_view name) {
   for (const XmlAttribute& attribute : attributes)
@@ -69,16 +75,40 @@ std::optional<base::Genus> genusOfSprites(std::string_view url) {
   return base::genusFromName(std::filesystem::path(urls.front()).stem().string());
 }
 
+/// The nodes of a scene and of the files that it inlines, each of which is read once.
+class Library {
+ public:
+  explicit Library(const base::Progress& progress) : progress_(progress) {}
+
+  /// Adds a document's nodes. `folder` is what its Inlines are named from; without one they stay empty.
+  /// Returns the node of its Scene, or kNone.
+  std::uint32_t read(ByteSource& source, const std::string& where, const fs::path* folder);
+  /// The Scene of a file that is named from a folder. Throws InputError unless it is a file in that folder.
+  std::uint32_t inlined(const std::string& url, const std::string& where, const fs::path& folder);
+
+  std::vector<CardNode> nodes;
+
+ private:
+  const base::Progress& progress_;
+  std::map<std::string, std::uint32_t> files_;
+  int depth_ = 0;
+};
+
+/// Takes the elements of one document.
 class Reader {
  public:
-  explicit Reader(std::string where) : where_(std::move(where)) {}
+  Reader(Library& library, std::string where, const fs::path* folder)
+      : library_(library), nodes_(library.nodes), where_(std::move(where)), folder_(folder) {}
 
   void start(std::string_view name, Attributes attributes) {
     Element element{std::string(name), std::string(value(attributes, "DEF")), kNone};
     const std::string use(value(attributes, "USE"));
-    if (const auto kind = kindOf(name, attributes)) {
+    const bool isWatched = !open_.empty() && open_.back().name == "LoadSensor";  // and drawn elsewhere
+    if (const auto kind = isWatched ? std::nullopt : kindOf(name, attributes)) {
       element.node = use.empty() ? addNode(*kind, name, attributes) : find(use);
       if (!use.empty()) element.name.clear();
+      if (name == "Scene" && scene_ == kNone) scene_ = element.node;
+      if (name == "Inline" && use.empty()) inlineFile(element.node, value(attributes, "url"));
     } else if (name == "Appearance") {
       look_ = use.empty() ? std::nullopt : known(looks_, use);
     } else if (name == "ImageTexture") {
@@ -114,22 +144,22 @@ class Reader {
     if (!element.name.empty() && !element.def.empty()) named_[element.def] = element.node;
     for (auto parent = open_.rbegin(); parent != open_.rend(); ++parent) {
       if (parent->node == kNone) continue;
-      adopt(nodes_[parent->node], element.node);
+      adopt(parent->node, element.node);
       return;
     }
   }
 
-  const std::vector<CardNode>& nodes() const { return nodes_; }
+  std::uint32_t scene() const { return scene_; }
 
  private:
-  static constexpr std::uint32_t kNone = UINT32_MAX;
   struct Element {
     std::string name, def;
     std::uint32_t node;
   };
 
   static std::optional<CardNodeKind> kindOf(std::string_view name, Attributes attributes) {
-    if (name == "Scene" || name == "Group") return CardNodeKind::Group;
+    if (name == "Scene" || name == "Group" || name == "Inline") return CardNodeKind::Group;
+    if (name == "Switch") return CardNodeKind::Choice;
     if (name == "Transform") return CardNodeKind::Transform;
     if (name == "LOD") return CardNodeKind::FirstLevel;
     if (name == "Shape") return CardNodeKind::Shape;
@@ -143,12 +173,25 @@ class Reader {
     CardNode node;
     node.kind = kind;
     if (name == "Transform") node.matrix = matrixOf(attributes);
+    if (name == "Switch") {
+      node.choice = -1;
+      forEachNumber<std::int64_t>(value(attributes, "whichChoice"),
+                                  [&](std::int64_t choice) { node.choice = choice; });
+    }
+    node.isFile = name == "Inline";
     if (name == "Shape") {
       indices_.clear(), colors_.clear(), points_.clear(), stated_.clear();
       shapeLook_.reset();
     }
     nodes_.push_back(std::move(node));
     return static_cast<std::uint32_t>(nodes_.size() - 1);
+  }
+
+  void inlineFile(std::uint32_t node, std::string_view url) {
+    const auto urls = stringsOf(url);
+    if (!folder_ || urls.empty()) return;
+    const std::uint32_t scene = library_.inlined(urls.front(), where_, *folder_);
+    if (scene != kNone) adopt(node, scene);
   }
 
   std::uint32_t find(const std::string& use) const {
@@ -172,7 +215,11 @@ class Reader {
     }
   }
 
-  void adopt(CardNode& parent, std::uint32_t child) {
+  void adopt(std::uint32_t index, std::uint32_t child) {
+    CardNode& parent = nodes_[index];
+    // What is near enough to choose by itself has the file at hand.
+    if (parent.kind == CardNodeKind::Choice && nodes_[child].isFile)
+      parent.choice = static_cast<std::int64_t>(parent.children.size());
     parent.children.push_back(child);
     parent.depth = std::max(parent.depth, nodes_[child].depth + 1);
     if (parent.depth > kMostDepth)
@@ -213,8 +260,11 @@ class Reader {
     }
   }
 
+  Library& library_;
+  std::vector<CardNode>& nodes_;
   std::string where_;
-  std::vector<CardNode> nodes_;
+  const fs::path* folder_;
+  std::uint32_t scene_ = kNone;
   std::vector<Element> open_;
   std::map<std::string, std::uint32_t> named_;
   std::map<std::string, std::optional<base::Genus>> looks_, textures_;
@@ -223,19 +273,43 @@ class Reader {
   std::vector<float> colors_, points_, stated_;
 };
 
-WrittenScene read(ByteSource& source, const std::string& where, const std::string& name,
-                  const base::Progress& progress) {
-  Reader reader(where);
+std::uint32_t Library::read(ByteSource& source, const std::string& where, const fs::path* folder) {
+  Reader reader(*this, where, folder);
   ValidationResult result;
   FindingList findings(where, result);
   const XmlVisitor visitor{
       [&](std::string_view element, Position, Attributes attributes) { reader.start(element, attributes); },
       [&] { reader.end(); }};
-  parseXml(source, visitor, findings, progress);
+  parseXml(source, visitor, findings, progress_);
   if (!result.findings.empty())
     throw base::InputError(where, result.findings.front().message, "see `cloudgen validate`");
+  return reader.scene();
+}
+
+std::uint32_t Library::inlined(const std::string& url, const std::string& where, const fs::path& folder) {
+  const std::string path = contentPath(url);
+  if (path.empty())
+    throw base::InputError(where, fmt::format("inlines {}, which is not in its folder", excerpt(url)),
+                           "name a scene.x3d that cloudgen wrote, or its folder");
+  const fs::path file = folder / path;
+  const auto [known, isNew] = files_.try_emplace(file.lexically_normal().string(), kNone);
+  if (!isNew) return known->second;
+  if (files_.size() > kMostFiles || depth_ == kMostInlines)
+    throw base::InputError(where, "inlines too many files, or too deeply", "is it a scene of cloudgen?");
+  ByteSource source(file);
+  const fs::path within = file.parent_path();
+  ++depth_;
+  known->second = read(source, file.string(), &within);
+  --depth_;
+  return known->second;
+}
+
+WrittenScene read(ByteSource& source, const std::string& where, const std::string& name,
+                  const fs::path* folder, const base::Progress& progress) {
+  Library library(progress);
+  library.read(source, where, folder);
   WrittenScene scene{name, "x3d", {}, {}, {}, 0};
-  flatten(reader.nodes(), where, scene);
+  flatten(library.nodes, where, scene);
   constexpr float kMostOpaque = 0.9995f;  // written with three decimals at least
   boundSaturated(scene, kMostOpaque);
   return scene;
@@ -243,14 +317,15 @@ WrittenScene read(ByteSource& source, const std::string& where, const std::strin
 
 }  // namespace
 
-WrittenScene readX3dScene(const std::filesystem::path& file, const base::Progress& progress) {
+WrittenScene readX3dScene(const fs::path& file, const base::Progress& progress) {
   ByteSource source(file);
-  return read(source, file.string(), file.filename().string(), progress);
+  const fs::path folder = file.parent_path();
+  return read(source, file.string(), file.filename().string(), &folder, progress);
 }
 
 WrittenScene readX3dScene(std::string_view bytes, const std::string& where) {
   ByteSource source(bytes);
-  return read(source, where, where, {});
+  return read(source, where, where, nullptr, {});
 }
 
 }  // namespace cloudgen::check

@@ -18,7 +18,10 @@ void writeScene(const scene::Scene& scene, const Destination& destination, Encod
 
   nodes->start(head);
   writeEnvironment(*nodes, scene, stage, head);
-  writeClouds(*nodes, shapes, scene, stage, destination.progress);
+  if (encoding == Encoding::Vrml97)
+    writeTileGroups(*nodes, shapes, scene, stage, destination.progress);
+  else
+    writeTiles(*nodes, shapes, scene, stage, destination.folder, destination.progress);
   nodes->finish();
 }
 

@@ -5,8 +5,10 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "base/file.hpp"
 #include "check/fidelity/written_scene.hpp"
 #include "good_scene.hpp"
+#include "support/scratch.hpp"
 
 namespace cloudgen::check::test {
 namespace {
@@ -100,6 +102,60 @@ TEST(X3dScene, TheOpticalDepthBesideAnOpaqueCardCountsWhereItIsThatOpaque) {
   // Halved in its opacity alone, or told of another thinner card: the eye decides.
   EXPECT_NEAR(told(0.5, "31.5").blobs.front().strength, std::log(2), 1e-5);
   EXPECT_NEAR(told(0.9, "0").blobs.front().strength, std::log(10), 1e-5);
+}
+
+/// Writes files into a folder of their own and reads the scene.x3d among them.
+WrittenScene readFolder(const std::vector<std::pair<std::string, std::string>>& files) {
+  const cloudgen::test::Scratch folder;
+  for (const auto& [name, nodes] : files) {
+    std::filesystem::create_directories((folder.path() / name).parent_path());
+    base::writeFile(folder.path() / name,
+                    "<X3D profile='Immersive' version='4.0'><Scene>" + nodes + "</Scene></X3D>");
+  }
+  return readX3dScene(folder.path() / "scene.x3d", {});
+}
+
+TEST(X3dScene, ReadsTheFilesThatAreInlinedNearTheViewer) {
+  const WrittenScene scene = readFolder(
+      {{"scene.x3d", "<Transform translation='0 700 0'><LOD range='9'><Switch whichChoice='0'><Group>" +
+                         card(kFront, 0.9, true) +
+                         "</Group><Inline load='false' url='\"tiles/a.x3d\"'/></Switch></LOD></Transform>"
+                         "<Inline DEF='A' url='\"tiles/a.x3d\"'/><LoadSensor><Inline USE='A'/></LoadSensor>"},
+       {"tiles/a.x3d", card(kFront, 0.2, true) + "<Inline url='\"b.x3d\"'/>"},
+       {"tiles/b.x3d", card(kFront, 0.3, true)}});
+  ASSERT_EQ(scene.blobs.size(), 4u);
+  EXPECT_FLOAT_EQ(scene.blobs[0].center.y, 700);
+  EXPECT_NEAR(scene.blobs[0].opacity, 0.2, 1e-5);
+  EXPECT_NEAR(scene.blobs[1].opacity, 0.3, 1e-5);
+  EXPECT_FLOAT_EQ(scene.blobs[2].center.y, 0);
+}
+
+TEST(X3dScene, ASwitchShowsItsChoice) {
+  const auto shown = [](const char* choice) {
+    return read(std::string("<Switch whichChoice='") + choice + "'>" + card(kFront, 0.2) + card(kFront, 0.9) +
+                "</Switch>")
+        .blobs.size();
+  };
+  EXPECT_EQ(shown("1"), 1u);
+  EXPECT_EQ(shown("-1"), 0u);
+  EXPECT_EQ(shown("2"), 0u);
+}
+
+TEST(X3dScene, InlinesStayInTheirFolderAndEnd) {
+  for (const char* url :
+       {"../other/scene.x3d", "/etc/hostname", "https://example.org/a.x3d", "missing.x3d", ""})
+    EXPECT_THROW(readFolder({{"scene.x3d", std::string("<Inline url='\"") + url + "\"'/>"}}),
+                 base::InputError)
+        << url;
+  // One that inlines itself is there once.
+  EXPECT_EQ(readFolder({{"scene.x3d", "<Inline url='\"a.x3d\"'/>"},
+                        {"a.x3d", card(kFront, 0.2, true) + "<Inline url='\"a.x3d\"'/>"}})
+                .blobs.size(),
+            1u);
+  std::vector<std::pair<std::string, std::string>> chain{{"scene.x3d", "<Inline url='\"0.x3d\"'/>"}};
+  for (int i = 0; i < 40; ++i)
+    chain.emplace_back(std::to_string(i) + ".x3d", "<Inline url='\"" + std::to_string(i + 1) + ".x3d\"'/>");
+  EXPECT_THROW(readFolder(chain), base::InputError);
 }
 
 TEST(X3dScene, OtherShapesAreNoClouds) { EXPECT_TRUE(readX3dScene(goodScene(), "good.x3d").blobs.empty()); }
