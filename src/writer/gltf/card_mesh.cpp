@@ -1,16 +1,54 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "writer/gltf/card_mesh.hpp"
 
+#include <algorithm>
 #include <array>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <numbers>
+
+#include "shape/blending.hpp"
 
 namespace cloudgen::writer::gltf {
 namespace {
 
-constexpr float kReachInSigmas = 2.0f;
-constexpr float kCardsMet = 2.0f;
+constexpr float kSpriteReach = 2.2f;  ///< half-side of a sprite, in its standard deviations
+/// Of the sprite's Gaussian within its border: erf(2.2 / sqrt 2) squared.
+constexpr float kWithinBorder = 0.9451f;
+/// Upright cards, two of them met by a level look.
+constexpr float kUprightShare = 0.5f;
 constexpr int kCells = 2;
+
+/// One card of a puff.
+struct Plane {
+  int right = 0, up = 1;  ///< axes of the puff
+  float opticalDepth = 0, widening = 1;
+};
+
+/// The three cards of a puff: facing its z, facing its x, lying. From straight above they hold together what
+/// the puff holds; the share of those that stand is what a leaning one shows upwards.
+std::array<Plane, 3> planesOf(const shape::Puff& puff, float opticalDepthFactor) {
+  constexpr float kCovering = 0.07f;  // few overlap
+  std::array<Plane, 3> planes{{{0, 1}, {2, 1}, {0, 2}}};
+  const glm::mat3 axes = glm::mat3_cast(puff.rotation);
+  const auto shownUpwards = [&](const Plane& plane) {
+    const int normal = 3 - plane.right - plane.up;
+    return puff.sigma[plane.right] * puff.sigma[plane.up] * std::abs(axes[normal].y);
+  };
+  Plane& lying = *std::ranges::max_element(planes, {}, [&](const Plane& plane) {
+    return std::abs(axes[3 - plane.right - plane.up].y);
+  });
+  double left = opticalDepthFactor * shape::extinctionArea(puff) / (2 * std::numbers::pi * kWithinBorder);
+  for (Plane& plane : planes) {
+    if (&plane == &lying) continue;
+    plane.opticalDepth = kUprightShare * opticalDepthFactor * shape::frontalOpticalDepth(puff);
+    left -= static_cast<double>(plane.opticalDepth * shownUpwards(plane));
+  }
+  const float whole = static_cast<float>(left) / shownUpwards(lying);
+  lying.widening = shape::blendedWidening(whole, kCovering);
+  lying.opticalDepth = whole / (lying.widening * lying.widening);
+  return planes;
+}
 
 /// The colour of the light at a place: of the archetype's puffs, weighted by how much of each is there.
 /// `fallback` has a small weight everywhere.
@@ -36,24 +74,21 @@ std::uint16_t toShort(float unit) {
 
 CardMesh cardsOf(const scene::Archetype& archetype, const scene::LitArchetype& lit, float opticalDepthFactor,
                  const image::SpriteAtlas& atlas) {
-  // (right, up) axes of the three cards: facing z, facing x, lying.
-  static constexpr std::array<std::pair<int, int>, 3> kPlanes{{{0, 1}, {2, 1}, {0, 2}}};
   CardMesh mesh;
   for (std::size_t p = 0; p < archetype.farPuffs.size(); ++p) {
     const shape::Puff& puff = archetype.farPuffs[p];
     const glm::mat3 axes = glm::mat3_cast(puff.rotation);
     const glm::vec4 box = atlas.textureBox(puff.sprite % atlas.tiles());
     const float blurMeters = 0.7f * std::cbrt(puff.sigma.x * puff.sigma.y * puff.sigma.z);
-    const float opticalDepth = shape::frontalOpticalDepth(puff) * opticalDepthFactor / kCardsMet;
-    const float alpha = -std::expm1(-opticalDepth);
-    for (const auto& [right, up] : kPlanes) {
+    for (const auto& [right, up, opticalDepth, widening] : planesOf(puff, opticalDepthFactor)) {
+      const float alpha = -std::expm1(-opticalDepth), reach = kSpriteReach * widening;
       const auto first = static_cast<std::uint32_t>(mesh.positions.size() / 3);
       for (int row = 0; row <= kCells; ++row)
         for (int column = 0; column <= kCells; ++column) {
           const float u = static_cast<float>(column) / kCells, v = static_cast<float>(row) / kCells;
           const glm::vec3 place =
-              puff.center + kReachInSigmas * ((2 * u - 1) * puff.sigma[right] * axes[right] +
-                                              (2 * v - 1) * puff.sigma[up] * axes[up]);
+              puff.center + reach * ((2 * u - 1) * puff.sigma[right] * axes[right] +
+                                     (2 * v - 1) * puff.sigma[up] * axes[up]);
           mesh.positions.insert(mesh.positions.end(), {place.x, place.y, place.z});
           mesh.textureBoxes.insert(mesh.textureBoxes.end(),
                                    {glm::mix(box.x, box.z, u), 1 - glm::mix(box.y, box.w, v)});

@@ -18,10 +18,11 @@ struct CardMesh {
   std::vector<std::uint32_t> indices;  ///< triangles
 };
 
-/// Three mutually perpendicular cards a far puff, each a grid of 2 x 2 cells that reaches two standard
+/// Three mutually perpendicular cards a far puff, each a grid of 2 x 2 cells that reaches 2.2 standard
 /// deviations, with the puff's sprite. Vertices take the light of the puffs around them, so a card is bright
-/// on top and dark below as the cloud is. The alpha shares a puff's optical depth (times
-/// `opticalDepthFactor`) among the two cards that a look through it meets on average.
+/// on top and dark below as the cloud is. Seen from straight above, the cards hold the extinction of the puff
+/// (times `opticalDepthFactor`), the lying one wider where it is dense (shape::blendedWidening); each upright
+/// one has half of the optical depth of the puff at its broadest, as a level look meets two.
 CardMesh cardsOf(const scene::Archetype& archetype, const scene::LitArchetype& lit, float opticalDepthFactor,
                  const image::SpriteAtlas& atlas);
 

@@ -55,11 +55,16 @@ std::vector<std::vector<std::uint32_t>> instancesByLight(const scene::Scene& sce
   return groups;
 }
 
-/// Cards of one mesh have one alpha: that of their instances' mean optical-depth factor.
+/// Cards of one mesh have one alpha: that of their instances' mean optical-depth factor, each by the area that
+/// it covers.
 float meanFactor(const scene::Scene& scene, const std::vector<std::uint32_t>& instances) {
-  double sum = 0;
-  for (const std::uint32_t i : instances) sum += scene.instances[i].opticalDepthFactor;
-  return static_cast<float>(sum / static_cast<double>(instances.size()));
+  double sum = 0, area = 0;
+  for (const std::uint32_t i : instances) {
+    const double own = static_cast<double>(scene.instances[i].scale) * scene.instances[i].scale;
+    sum += own * static_cast<double>(scene.instances[i].opticalDepthFactor);
+    area += own;
+  }
+  return static_cast<float>(sum / area);
 }
 
 int addCardMesh(GlbFile& file, const std::string& name, const CardMesh& mesh, int material) {
