@@ -29,7 +29,7 @@ struct BuildLine {
   ShapeLine shape;
   double typingWindowMinutes = 180;
   std::uint64_t seed = 1, maxPuffs = 200'000;
-  int threads = 0;
+  int threads = 0, splatDegree = 1;
   bool overwrite = false, json = false, verify = false, tilesGzip = false;
 };
 
@@ -129,6 +129,7 @@ int build(const BuildLine& line, const Terminal& terminal) {
   writer::Destination destination{folder.path(), progress};
   destination.tiles = {line.tiles == "splats" ? writer::TileContent::Splats : writer::TileContent::Packed,
                        line.tilesGzip};
+  destination.splats.degree = line.splatDegree;
   const auto write = [&](bool showingVerification) {
     for (const writer::Format* format : formats) {
       if (format->showsVerification != showingVerification) continue;
@@ -181,7 +182,7 @@ std::function<int()> setupBuild(CLI::App& options, const Terminal& terminal) {
   options.add_option("--bbox", line->box,
                      "west,south,east,north in degrees (default: the whole model domain)");
   options.add_option("--formats", line->formats,
-                     "comma-separated list; `cloudgen formats` lists them (default: all but tiles)");
+                     "comma-separated list; `cloudgen formats` lists them (default: all but ply and tiles)");
   options.add_option("--seed", line->seed, "another seed, another sky of the same statistics")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
@@ -221,6 +222,11 @@ std::function<int()> setupBuild(CLI::App& options, const Terminal& terminal) {
       ->capture_default_str();
   options.add_flag("--tiles-gzip", line->tilesGzip,
                    "3D Tiles as gzip under their own names; the server must say Content-Encoding: gzip");
+  options
+      .add_option("--splat-degree", line->splatDegree,
+                  "harmonics of splats: 0 (one colour from all sides), 1, or 2 (sharper towards the sun)")
+      ->check(CLI::Range(0, 2))
+      ->capture_default_str();
   options.add_option("--shard", line->shard, "I/N: only a share of the tiles (not built yet)");
   options.add_option("--max-memory", line->maxMemory, "limit of memory (not built yet)");
   const auto config = std::make_shared<std::string>();

@@ -22,6 +22,10 @@ struct TilesOptions {
   bool gzip = false;  ///< files are gzip under their own names; servers must say Content-Encoding: gzip
 };
 
+struct SplatOptions {
+  int degree = 1;  ///< of the spherical harmonics, 0 to 2: how sharply clouds brighten towards the sun
+};
+
 /// Where a writer puts its files, and whom it tells how far it is.
 struct Destination {
   std::filesystem::path folder;  ///< exists; files of other formats may already be in it
@@ -30,6 +34,7 @@ struct Destination {
   /// nobody looked. Its maps are in verify/.
   std::string verification = {};
   TilesOptions tiles = {};
+  SplatOptions splats = {};
 };
 
 /// One output format. `write` throws OutputError; it writes only the named files (and textures/).

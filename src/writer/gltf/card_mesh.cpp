@@ -19,37 +19,6 @@ constexpr float kWithinBorder = 0.9451f;
 constexpr float kUprightShare = 0.5f;
 constexpr int kCells = 2;
 
-/// One card of a puff.
-struct Plane {
-  int right = 0, up = 1;  ///< axes of the puff
-  float opticalDepth = 0, widening = 1;
-};
-
-/// The three cards of a puff: facing its z, facing its x, lying. From straight above they hold together what
-/// the puff holds; the share of those that stand is what a leaning one shows upwards.
-std::array<Plane, 3> planesOf(const shape::Puff& puff, float opticalDepthFactor) {
-  constexpr float kCovering = 0.07f;  // few overlap
-  std::array<Plane, 3> planes{{{0, 1}, {2, 1}, {0, 2}}};
-  const glm::mat3 axes = glm::mat3_cast(puff.rotation);
-  const auto shownUpwards = [&](const Plane& plane) {
-    const int normal = 3 - plane.right - plane.up;
-    return puff.sigma[plane.right] * puff.sigma[plane.up] * std::abs(axes[normal].y);
-  };
-  Plane& lying = *std::ranges::max_element(planes, {}, [&](const Plane& plane) {
-    return std::abs(axes[3 - plane.right - plane.up].y);
-  });
-  double left = opticalDepthFactor * shape::extinctionArea(puff) / (2 * std::numbers::pi * kWithinBorder);
-  for (Plane& plane : planes) {
-    if (&plane == &lying) continue;
-    plane.opticalDepth = kUprightShare * opticalDepthFactor * shape::frontalOpticalDepth(puff);
-    left -= static_cast<double>(plane.opticalDepth * shownUpwards(plane));
-  }
-  const float whole = static_cast<float>(left) / shownUpwards(lying);
-  lying.widening = shape::blendedWidening(whole, kCovering);
-  lying.opticalDepth = whole / (lying.widening * lying.widening);
-  return planes;
-}
-
 /// The colour of the light at a place: of the archetype's puffs, weighted by how much of each is there.
 /// `fallback` has a small weight everywhere.
 glm::vec3 lightAt(const scene::Archetype& archetype, const scene::LitArchetype& lit, glm::vec3 place,
@@ -72,23 +41,54 @@ std::uint16_t toShort(float unit) {
 
 }  // namespace
 
+std::array<Card, 3> cardsOf(const shape::Puff& puff, float opticalDepthFactor) {
+  constexpr float kCovering = 0.07f;  // few overlap
+  // (right, up) axes: facing the puff's z, facing its x, lying.
+  constexpr std::array<std::pair<int, int>, 3> kPlanes{{{0, 1}, {2, 1}, {0, 2}}};
+  const glm::mat3 axes = glm::mat3_cast(puff.rotation);
+  const auto upwards = [&](std::size_t plane) {
+    return std::abs(axes[3 - kPlanes[plane].first - kPlanes[plane].second].y);
+  };
+  const auto shownUpwards = [&](std::size_t plane) {
+    return puff.sigma[kPlanes[plane].first] * puff.sigma[kPlanes[plane].second] * upwards(plane);
+  };
+  std::size_t lying = 0;
+  for (std::size_t plane = 1; plane < 3; ++plane)
+    if (upwards(plane) > upwards(lying)) lying = plane;
+
+  const float standing = kUprightShare * opticalDepthFactor * shape::frontalOpticalDepth(puff);
+  double left = opticalDepthFactor * shape::extinctionArea(puff) / (2 * std::numbers::pi * kWithinBorder);
+  std::array<Card, 3> cards;
+  for (std::size_t plane = 0; plane < 3; ++plane) {
+    const auto& [right, up] = kPlanes[plane];
+    const float reach = kSpriteReach;
+    cards[plane] = {puff.center, reach * puff.sigma[right] * axes[right], reach * puff.sigma[up] * axes[up],
+                    standing, plane != lying};
+    if (plane != lying) left -= static_cast<double>(standing * shownUpwards(plane));
+  }
+  Card& flat = cards[lying];
+  const float whole = static_cast<float>(left) / shownUpwards(lying);
+  const float widening = shape::blendedWidening(whole, kCovering);
+  flat.opticalDepth = whole / (widening * widening);
+  flat.right *= widening;
+  flat.up *= widening;
+  return cards;
+}
+
 CardMesh cardsOf(const scene::Archetype& archetype, const scene::LitArchetype& lit, float opticalDepthFactor,
                  const image::SpriteAtlas& atlas) {
   CardMesh mesh;
   for (std::size_t p = 0; p < archetype.farPuffs.size(); ++p) {
     const shape::Puff& puff = archetype.farPuffs[p];
-    const glm::mat3 axes = glm::mat3_cast(puff.rotation);
     const glm::vec4 box = atlas.textureBox(puff.sprite % atlas.tiles());
     const float blurMeters = 0.7f * std::cbrt(puff.sigma.x * puff.sigma.y * puff.sigma.z);
-    for (const auto& [right, up, opticalDepth, widening] : planesOf(puff, opticalDepthFactor)) {
-      const float alpha = -std::expm1(-opticalDepth), reach = kSpriteReach * widening;
+    for (const Card& card : cardsOf(puff, opticalDepthFactor)) {
+      const float alpha = -std::expm1(-card.opticalDepth);
       const auto first = static_cast<std::uint32_t>(mesh.positions.size() / 3);
       for (int row = 0; row <= kCells; ++row)
         for (int column = 0; column <= kCells; ++column) {
           const float u = static_cast<float>(column) / kCells, v = static_cast<float>(row) / kCells;
-          const glm::vec3 place =
-              puff.center + reach * ((2 * u - 1) * puff.sigma[right] * axes[right] +
-                                     (2 * v - 1) * puff.sigma[up] * axes[up]);
+          const glm::vec3 place = card.center + (2 * u - 1) * card.right + (2 * v - 1) * card.up;
           mesh.positions.insert(mesh.positions.end(), {place.x, place.y, place.z});
           mesh.textureBoxes.insert(mesh.textureBoxes.end(),
                                    {glm::mix(box.x, box.z, u), 1 - glm::mix(box.y, box.w, v)});
@@ -97,7 +97,7 @@ CardMesh cardsOf(const scene::Archetype& archetype, const scene::LitArchetype& l
               lightAt(archetype, lit, glm::mix(puff.center, place, 0.5f), blurMeters, lit.farPuffs[p].color);
           mesh.colors.insert(mesh.colors.end(),
                              {toShort(color.x), toShort(color.y), toShort(color.z), toShort(alpha)});
-          mesh.opticalDepths.push_back(opticalDepth);
+          mesh.opticalDepths.push_back(card.opticalDepth);
         }
       for (std::uint32_t row = 0; row < kCells; ++row)
         for (std::uint32_t column = 0; column < kCells; ++column) {

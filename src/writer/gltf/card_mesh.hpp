@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -8,6 +9,18 @@
 #include "scene/scene.hpp"
 
 namespace cloudgen::writer::gltf {
+
+/// A rectangle with a sprite.
+struct Card {
+  glm::vec3 center{0}, right{0}, up{0};  ///< half-sides, 2.2 standard deviations of the sprite long
+  float opticalDepth = 0;                ///< of its centre
+  bool upright = false;                  ///< not the one of the three that lies
+};
+
+/// Three mutually perpendicular cards of a puff. Seen from straight above they hold the extinction of the puff
+/// (times `opticalDepthFactor`), the lying one wider where it is dense (shape::blendedWidening); each upright one
+/// has half of the optical depth of the puff at its broadest, as a level look meets two.
+std::array<Card, 3> cardsOf(const shape::Puff& puff, float opticalDepthFactor);
 
 /// A triangle mesh in an archetype's own axes, as columns ready for glTF.
 struct CardMesh {
@@ -18,11 +31,8 @@ struct CardMesh {
   std::vector<std::uint32_t> indices;  ///< triangles
 };
 
-/// Three mutually perpendicular cards a far puff, each a grid of 2 x 2 cells that reaches 2.2 standard
-/// deviations, with the puff's sprite. Vertices take the light of the puffs around them, so a card is bright
-/// on top and dark below as the cloud is. Seen from straight above, the cards hold the extinction of the puff
-/// (times `opticalDepthFactor`), the lying one wider where it is dense (shape::blendedWidening); each upright
-/// one has half of the optical depth of the puff at its broadest, as a level look meets two.
+/// The three cards of every far puff, each a grid of 2 x 2 cells with the puff's sprite. Vertices take the light
+/// of the puffs around them, so a card is bright on top and dark below as the cloud is.
 CardMesh cardsOf(const scene::Archetype& archetype, const scene::LitArchetype& lit, float opticalDepthFactor,
                  const image::SpriteAtlas& atlas);
 

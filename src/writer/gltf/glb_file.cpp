@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "base/error.hpp"
-#include "base/file.hpp"
+#include "base/growing_file.hpp"
 
 namespace cloudgen::writer::gltf {
 namespace {
@@ -66,9 +66,24 @@ int indexOfLast(const std::vector<T>& parts) {
 
 }  // namespace
 
+/// Bytes of the binary data: as they are, or made when they are written.
+struct Piece {
+  std::string bytes;
+  std::uint64_t length = 0;
+  std::function<void(std::span<char>)> fill;
+};
+
 struct GlbFile::Parts {
   tinygltf::Model model;  // without its buffer: see write()
-  std::string binary;
+  std::vector<Piece> pieces;
+  std::uint64_t binaryBytes = 0;
+
+  void append(std::string_view bytes) {
+    if (pieces.empty() || pieces.back().fill) pieces.emplace_back();
+    pieces.back().bytes.append(bytes);
+    binaryBytes += bytes.size();
+  }
+  void pad() { append(std::string_view("\0\0\0", (4 - binaryBytes % 4) % 4)); }
 };
 
 GlbFile::GlbFile(const nlohmann::json& assetExtras) : parts_(std::make_unique<Parts>()) {
@@ -82,19 +97,46 @@ GlbFile::GlbFile(const nlohmann::json& assetExtras) : parts_(std::make_unique<Pa
 
 GlbFile::~GlbFile() = default;
 
-void GlbFile::reserve(std::uint64_t bytes) { parts_->binary.reserve(bytes); }
-
 int GlbFile::addView(const void* bytes, std::size_t count, int target) {
-  std::string& binary = parts_->binary;
-  binary.resize((binary.size() + 3) / 4 * 4, '\0');
+  parts_->pad();
   tinygltf::BufferView view;
   view.buffer = 0;
-  view.byteOffset = binary.size();
+  view.byteOffset = parts_->binaryBytes;
   view.byteLength = count;
   view.target = target;
-  binary.append(static_cast<const char*>(bytes), count);
+  parts_->append({static_cast<const char*>(bytes), count});
   parts_->model.bufferViews.push_back(std::move(view));
   return indexOfLast(parts_->model.bufferViews);
+}
+
+std::uint64_t GlbFile::addBlock(std::uint64_t bytes, std::function<void(std::span<char>)> fill) {
+  parts_->pad();
+  const std::uint64_t start = parts_->binaryBytes;
+  parts_->pieces.push_back({{}, bytes, std::move(fill)});
+  parts_->binaryBytes += bytes;
+  return start;
+}
+
+int GlbFile::addColumn(const Column& column) {
+  const int width = tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(column.component));
+  const int tight = width * column.components;
+  tinygltf::BufferView view;
+  view.buffer = 0;
+  view.byteOffset = column.start;
+  view.byteStride = static_cast<std::size_t>(column.stride);
+  view.byteLength = column.count * static_cast<std::size_t>(column.stride ? column.stride : tight);
+  view.target = TINYGLTF_TARGET_ARRAY_BUFFER;
+  parts_->model.bufferViews.push_back(std::move(view));
+  tinygltf::Accessor accessor;
+  accessor.bufferView = indexOfLast(parts_->model.bufferViews);
+  accessor.componentType = static_cast<int>(column.component);
+  accessor.type = kTypes[static_cast<std::size_t>(column.components)];
+  accessor.normalized = column.normalized;
+  accessor.count = column.count;
+  accessor.minValues = column.least;
+  accessor.maxValues = column.most;
+  parts_->model.accessors.push_back(std::move(accessor));
+  return indexOfLast(parts_->model.accessors);
 }
 
 int GlbFile::addFloats(int components, std::span<const float> values, bool withBounds) {
@@ -253,21 +295,18 @@ void GlbFile::addExtension(const std::string& name, const nlohmann::json& value)
   useExtension(name, false);
 }
 
-std::uint64_t GlbFile::binaryBytes() const { return parts_->binary.size(); }
-
-// tinygltf makes the JSON; the container around it is made here. tinygltf 2.7 keeps the binary data twice
-// while it writes a GLB (the model's buffer and a copy of it) and does not look whether the stream took the
-// bytes.
+// tinygltf makes the JSON; the container around it is made here, with data that need not be there yet. tinygltf
+// 2.7 keeps the binary data twice while it writes a GLB and does not look whether the stream took the bytes.
 void GlbFile::write(const std::filesystem::path& file) const {
   std::ostringstream stream;
   tinygltf::TinyGLTF().WriteGltfSceneToStream(&parts_->model, stream, false, false);
   auto document = nlohmann::json::parse(stream.str());
-  if (!parts_->binary.empty()) document["buffers"][0]["byteLength"] = parts_->binary.size();
+  const std::uint64_t binaryBytes = parts_->binaryBytes;
+  if (binaryBytes > 0) document["buffers"][0]["byteLength"] = binaryBytes;
   std::string json = document.dump();
   json.resize((json.size() + 3) / 4 * 4, ' ');
 
-  const std::uint64_t padding = (4 - parts_->binary.size() % 4) % 4,
-                      binaryLength = parts_->binary.size() + padding;
+  const std::uint64_t padding = (4 - binaryBytes % 4) % 4, binaryLength = binaryBytes + padding;
   const std::uint64_t total = 12 + 8 + json.size() + (binaryLength ? 8 + binaryLength : 0);
   if (total > std::numeric_limits<std::uint32_t>::max())
     throw base::OutputError(file.string(), fmt::format("would have {} bytes, over the 4 GiB of a GLB", total),
@@ -277,14 +316,25 @@ void GlbFile::write(const std::filesystem::path& file) const {
   append32(head, total);
   append32(head, json.size());
   head += "JSON";
-  std::string binaryHead;
+  head += json;
   if (binaryLength) {
-    append32(binaryHead, binaryLength);
-    binaryHead += std::string_view("BIN\0", 4);
+    append32(head, binaryLength);
+    head += std::string_view("BIN\0", 4);
   }
-  const std::array<std::string_view, 5> pieces{head, json, binaryHead, parts_->binary,
-                                               std::string_view("\0\0\0", padding)};
-  base::writeFile(file, pieces);
+  base::GrowingFile out(file);
+  out.append(head);
+  std::vector<char> made;
+  for (const Piece& piece : parts_->pieces) {
+    if (piece.fill) {
+      made.resize(piece.length);
+      piece.fill(made);
+      out.append({made.data(), made.size()});
+    } else {
+      out.append(piece.bytes);
+    }
+  }
+  out.append(std::string_view("\0\0\0", padding));
+  out.commit();
 }
 
 }  // namespace cloudgen::writer::gltf

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <glm/vec3.hpp>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
@@ -34,6 +35,19 @@ struct Node {
   Attributes instancing;  ///< EXT_mesh_gpu_instancing, or empty
 };
 
+enum class Component { Byte = 5120, UnsignedByte = 5121, Short = 5122, UnsignedShort = 5123, Float = 5126 };
+
+/// A column of `count` tuples that lies in a block.
+struct Column {
+  std::uint64_t start = 0;  ///< in the binary data
+  std::size_t count = 0;
+  int components = 1;
+  Component component = Component::Float;
+  bool normalized = false;
+  int stride = 0;  ///< bytes from tuple to tuple, a multiple of four; 0: they follow each other
+  std::vector<double> least = {}, most = {};  ///< min and max, as POSITION needs them
+};
+
 /// A binary glTF file in the making. Its parts are added one by one and referred to by their index, as in
 /// glTF itself. Everything is written little-endian and in the order in which it was added, so the bytes
 /// depend on nothing else.
@@ -44,9 +58,6 @@ class GlbFile {
   ~GlbFile();
   GlbFile(const GlbFile&) = delete;
   GlbFile& operator=(const GlbFile&) = delete;
-
-  /// Tells how many bytes of binary data will come, at most, so that they are never moved.
-  void reserve(std::uint64_t bytes);
 
   /// Tuples of `components` (1 to 4) floats. With `withBounds` the accessor gets min and max, as POSITION
   /// needs.
@@ -62,6 +73,13 @@ class GlbFile {
   /// Bytes that an extension reads; returns the buffer view.
   int addBytes(std::string_view bytes);
 
+  /// Columns whose bytes are made when the file is written, so that they need not stand in memory together:
+  /// `fill` gets room for all of `bytes`, block after block. Columns are laid into the block by addColumn.
+  /// Returns where the block starts, for Column::start.
+  std::uint64_t addBlock(std::uint64_t bytes, std::function<void(std::span<char>)> fill);
+  /// An accessor of a column within a block.
+  int addColumn(const Column& column);
+
   /// Embeds a PNG file; returns the texture, sampled linearly and clamped at its borders.
   int addPngTexture(const std::string& name, std::string_view png);
   /// Blended, two-sided and unlit, with a texture; colour and coverage come from COLOR_0 and the texture.
@@ -74,7 +92,6 @@ class GlbFile {
   /// Says something of the whole file by an extension, which viewers need not know.
   void addExtension(const std::string& name, const nlohmann::json& value);
 
-  std::uint64_t binaryBytes() const;
   /// Writes the file, whole or not at all. Throws OutputError.
   void write(const std::filesystem::path& file) const;
 

@@ -88,7 +88,7 @@ std::string packedSplats(std::span<const Splat> splats, glm::vec3 sunDirection, 
     opacities += static_cast<char>(opacityByte(splat.opticalDepth * areaOf(splat.sigma) / area, area));
     const glm::quat turn = splat.rotation.w < 0 ? -splat.rotation : splat.rotation;
     for (const float part : {turn.x, turn.y, turn.z}) rotations += static_cast<char>(toByte(127.5f * (part + 1)));
-    for (const float share : towardsSun)
+    for (const float share : std::span(towardsSun).first<kDegree * (kDegree + 2)>())
       for (int channel = 0; channel < 3; ++channel)
         harmonics += static_cast<char>(toByte(128 * splat.towardsSun[channel] * share + 128));
   }

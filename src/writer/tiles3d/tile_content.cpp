@@ -152,7 +152,7 @@ void addPackedSplats(GlbFile& file, const std::string& name, std::span<const Spl
 
 void addPlainSplats(GlbFile& file, const std::string& name, std::span<const Splat> splats,
                     glm::vec3 sunDirection) {
-  const int mesh = file.addMesh(name, {.attributes = gltf::addSplats(file, splats, sunDirection),
+  const int mesh = file.addMesh(name, {.attributes = gltf::addSplats(file, gltf::sourceOf(splats), sunDirection, 1),
                                        .points = true,
                                        .extensions = {{gltf::kSplatting, &gltf::splattingExtension()}}});
   file.addNode({.name = name, .mesh = mesh});
