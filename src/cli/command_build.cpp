@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -25,7 +26,7 @@ namespace {
 /// The command line as written.
 struct BuildLine {
   InputLine input;
-  std::string output, box, formats, sun = "auto", frame = "local", types, typing, shard, maxMemory, tiles = "spz";
+  std::string output, box, formats, sun = "auto", frame = "local", types, typing, shard, maxMemory, tiles = "auto";
   ShapeLine shape;
   double typingWindowMinutes = 180;
   std::uint64_t seed = 1, maxPuffs = 200'000;
@@ -53,6 +54,14 @@ void refuseWhatCannotBeVerified(const BuildLine& line, std::span<const writer::F
   if (line.verify && !read)
     throw base::UsageError("--verify", "reads x3d, splats, glb, pack or tiles, and none is written",
                            "add one of them to --formats");
+}
+
+const std::map<std::string, writer::TileContent>& tileContents() {
+  static const std::map<std::string, writer::TileContent> kContents{{"auto", writer::TileContent::Auto},
+                                                                    {"spz", writer::TileContent::Packed},
+                                                                    {"cards", writer::TileContent::Cards},
+                                                                    {"splats", writer::TileContent::Splats}};
+  return kContents;
 }
 
 std::optional<std::pair<double, double>> sunFromText(const std::string& text) {
@@ -127,8 +136,7 @@ int build(const BuildLine& line, const Terminal& terminal) {
   const pipeline::Outcome outcome = pipeline::run(*source, options, progress);
   watch.lap("pipeline");
   writer::Destination destination{folder.path(), progress};
-  destination.tiles = {line.tiles == "splats" ? writer::TileContent::Splats : writer::TileContent::Packed,
-                       line.tilesGzip};
+  destination.tiles = {tileContents().at(line.tiles), line.tilesGzip};
   destination.splats.degree = line.splatDegree;
   const auto write = [&](bool showingVerification) {
     for (const writer::Format* format : formats) {
@@ -216,9 +224,9 @@ std::function<int()> setupBuild(CLI::App& options, const Terminal& terminal) {
   options.add_flag("--shape-z-up", line->shape.zUp, "z of a mesh or a .vdb is up, not y");
   options
       .add_option("--tiles", line->tiles,
-                  "what 3D Tiles hold: spz (splats packed small, what CesiumJS draws) or splats (plain, what "
-                  "three.js draws)")
-      ->check(CLI::IsMember({"spz", "splats"}))
+                  "what 3D Tiles hold: spz (splats packed small, what CesiumJS draws up to a width), cards (for any "
+                  "viewer), splats (plain, what three.js draws), or auto (spz where that is enough, else cards)")
+      ->check(CLI::IsMember({"auto", "spz", "cards", "splats"}))
       ->capture_default_str();
   options.add_flag("--tiles-gzip", line->tilesGzip,
                    "3D Tiles as gzip under their own names; the server must say Content-Encoding: gzip");

@@ -23,7 +23,7 @@ std::span<const Format> formats() {
       {"ply", "Gaussian splats as splat tools read them", {"scene.splats.ply"}, writePly, true},
       {"glb", "core glTF 2.0: instanced crossed cards", {"scene.glb"}, writeCards},
       {"pack", "realtime runtime pack (FlatBuffers)", {"scene.cgpack"}, writePack},
-      {"tiles", "3D Tiles 1.1: a quadtree of splats on the globe", {"tileset.json"}, writeTiles, true},
+      {"tiles", "3D Tiles 1.1: a quadtree of splats or cards on the globe", {"tileset.json"}, writeTiles, true},
       {"page", "a page that opens in any browser (shows the splats)", {"index.html"}, writePage, false, true},
   };
   return kFormats;

@@ -13,12 +13,14 @@ namespace cloudgen::writer {
 
 /// What the tiles of a tileset hold.
 enum class TileContent {
+  Auto,    ///< Packed where CesiumJS draws them all, else Cards
   Packed,  ///< splats packed as SPZ: small, and what CesiumJS draws
+  Cards,   ///< textured rectangles: what every viewer draws, and clouds of any size in CesiumJS
   Splats   ///< splats as plain columns: what three.js and Babylon.js draw
 };
 
 struct TilesOptions {
-  TileContent content = TileContent::Packed;
+  TileContent content = TileContent::Auto;
   bool gzip = false;  ///< files are gzip under their own names; servers must say Content-Encoding: gzip
 };
 

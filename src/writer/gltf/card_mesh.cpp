@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "shape/blending.hpp"
+#include "writer/gltf/splat.hpp"
 
 namespace cloudgen::writer::gltf {
 namespace {
@@ -108,6 +109,17 @@ CardMesh cardsOf(const scene::Archetype& archetype, const scene::LitArchetype& l
     }
   }
   return mesh;
+}
+
+int addCardMesh(GlbFile& file, const std::string& name, const CardMesh& mesh, int material) {
+  Attributes attributes{{"POSITION", file.addFloats(3, mesh.positions, true)},
+                        {"TEXCOORD_0", file.addFloats(2, mesh.textureBoxes)},
+                        {"COLOR_0", file.addUnitShorts(mesh.colors)}};
+  if (std::ranges::any_of(mesh.opticalDepths, [](float depth) { return depth > kOpaqueOpticalDepth; }))
+    attributes.emplace_back("_OPTICAL_DEPTH", file.addFloats(1, mesh.opticalDepths));
+  return file.addMesh(name, {.attributes = std::move(attributes),
+                             .indices = file.addIndices(mesh.indices),
+                             .material = material});
 }
 
 }  // namespace cloudgen::writer::gltf

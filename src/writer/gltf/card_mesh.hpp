@@ -7,6 +7,7 @@
 
 #include "image/sprite_atlas.hpp"
 #include "scene/scene.hpp"
+#include "writer/gltf/glb_file.hpp"
 
 namespace cloudgen::writer::gltf {
 
@@ -35,5 +36,8 @@ struct CardMesh {
 /// of the puffs around them, so a card is bright on top and dark below as the cloud is.
 CardMesh cardsOf(const scene::Archetype& archetype, const scene::LitArchetype& lit, float opticalDepthFactor,
                  const image::SpriteAtlas& atlas);
+
+/// Adds the mesh; with _OPTICAL_DEPTH, if a card is denser than its alpha tells.
+int addCardMesh(GlbFile& file, const std::string& name, const CardMesh& mesh, int material);
 
 }  // namespace cloudgen::writer::gltf

@@ -11,7 +11,6 @@
 #include "writer/gltf/glb_file.hpp"
 #include "writer/gltf/gltf.hpp"
 #include "writer/gltf/scene_extras.hpp"
-#include "writer/gltf/splat.hpp"
 
 namespace cloudgen::writer {
 namespace {
@@ -65,17 +64,6 @@ float meanFactor(const scene::Scene& scene, const std::vector<std::uint32_t>& in
     area += own;
   }
   return static_cast<float>(sum / area);
-}
-
-int addCardMesh(GlbFile& file, const std::string& name, const CardMesh& mesh, int material) {
-  Attributes attributes{{"POSITION", file.addFloats(3, mesh.positions, true)},
-                        {"TEXCOORD_0", file.addFloats(2, mesh.textureBoxes)},
-                        {"COLOR_0", file.addUnitShorts(mesh.colors)}};
-  if (std::ranges::any_of(mesh.opticalDepths, [](float depth) { return depth > kOpaqueOpticalDepth; }))
-    attributes.emplace_back("_OPTICAL_DEPTH", file.addFloats(1, mesh.opticalDepths));
-  return file.addMesh(name, {.attributes = std::move(attributes),
-                             .indices = file.addIndices(mesh.indices),
-                             .material = material});
 }
 
 /// The middle of the instances in whole metres: places relative to it keep their precision.

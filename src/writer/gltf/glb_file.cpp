@@ -205,6 +205,23 @@ int GlbFile::addUnpackedPositions(std::size_t count, const glm::dvec3& lower, co
 int GlbFile::addBytes(std::string_view bytes) { return addView(bytes.data(), bytes.size(), 0); }
 
 int GlbFile::addPngTexture(const std::string& name, std::string_view png) {
+  tinygltf::Image image;
+  image.name = name;
+  image.mimeType = "image/png";
+  image.bufferView = addView(png.data(), png.size(), 0);
+  parts_->model.images.push_back(std::move(image));
+  return addTextureOfLastImage();
+}
+
+int GlbFile::addTexture(const std::string& name, const std::string& uri) {
+  tinygltf::Image image;
+  image.name = name;
+  image.uri = uri;
+  parts_->model.images.push_back(std::move(image));
+  return addTextureOfLastImage();
+}
+
+int GlbFile::addTextureOfLastImage() {
   auto& model = parts_->model;
   if (model.samplers.empty()) {
     tinygltf::Sampler sampler;
@@ -214,11 +231,6 @@ int GlbFile::addPngTexture(const std::string& name, std::string_view png) {
     sampler.wrapS = sampler.wrapT = TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE;
     model.samplers.push_back(sampler);
   }
-  tinygltf::Image image;
-  image.name = name;
-  image.mimeType = "image/png";
-  image.bufferView = addView(png.data(), png.size(), 0);
-  model.images.push_back(std::move(image));
   tinygltf::Texture texture;
   texture.sampler = 0;
   texture.source = indexOfLast(model.images);
@@ -288,11 +300,6 @@ void GlbFile::useExtension(const std::string& name, bool required) {
   };
   addOnce(parts_->model.extensionsUsed);
   if (required) addOnce(parts_->model.extensionsRequired);
-}
-
-void GlbFile::addExtension(const std::string& name, const nlohmann::json& value) {
-  parts_->model.extensions[name] = valueOf(value);
-  useExtension(name, false);
 }
 
 // tinygltf makes the JSON; the container around it is made here, with data that need not be there yet. tinygltf

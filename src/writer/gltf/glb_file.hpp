@@ -82,6 +82,8 @@ class GlbFile {
 
   /// Embeds a PNG file; returns the texture, sampled linearly and clamped at its borders.
   int addPngTexture(const std::string& name, std::string_view png);
+  /// The same of a file at a relative path.
+  int addTexture(const std::string& name, const std::string& uri);
   /// Blended, two-sided and unlit, with a texture; colour and coverage come from COLOR_0 and the texture.
   int addCardMaterial(const std::string& name, int texture);
   /// Opaque and unlit, linear colour.
@@ -89,8 +91,6 @@ class GlbFile {
   int addMesh(const std::string& name, const Primitive& primitive);
   int addNode(const Node& node);
   void useExtension(const std::string& name, bool required);
-  /// Says something of the whole file by an extension, which viewers need not know.
-  void addExtension(const std::string& name, const nlohmann::json& value);
 
   /// Writes the file, whole or not at all. Throws OutputError.
   void write(const std::filesystem::path& file) const;
@@ -99,6 +99,7 @@ class GlbFile {
   struct Parts;
   std::unique_ptr<Parts> parts_;
 
+  int addTextureOfLastImage();
   int addView(const void* bytes, std::size_t count, int target);
   /// `count` unsigned integers of `width` bytes; as VEC4 they stand for 0..1.
   int addIntegers(const void* bytes, std::size_t count, int width, int type, int target);

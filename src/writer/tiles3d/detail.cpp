@@ -66,7 +66,7 @@ LitPuff onePuffOf(const scene::Scene& scene, std::uint32_t cloud) {
   const scene::Instance& instance = scene.instances[cloud];
   const scene::LitArchetype& lit = scene.lit[instance.lit];
   return {scene::placed(scene, instance, scene.archetypes[lit.archetype].onePuff),
-          lightOf(scene, instance, lit.onePuff)};
+          lightOf(scene, instance, lit.onePuff), scene.archetypes[lit.archetype].genus};
 }
 
 /// One upright puff of the mean place, spread and light of these, each by what it covers. It covers what they
@@ -91,7 +91,8 @@ LitPuff joined(std::span<const LitPuff> puffs) {
     const glm::dvec3 half = 0.5 * glm::dvec3(own.upper - own.lower), away = glm::dvec3(one.puff.center) - mean;
     variance += coverOf(one.puff) / covered * (half * half + away * away);
   }
-  LitPuff out{puffs.front().puff, {glm::vec3(color / covered), static_cast<float>(forward / covered)}};
+  LitPuff out{puffs.front().puff, {glm::vec3(color / covered), static_cast<float>(forward / covered)},
+              std::ranges::max_element(puffs, {}, [&](const LitPuff& one) { return coverOf(one.puff); })->genus};
   out.puff.center = mean;
   out.puff.rotation = glm::quat(1, 0, 0, 0);
   out.puff.sigma = glm::sqrt(variance);
@@ -172,7 +173,8 @@ std::vector<LitPuff> puffsAt(const scene::Scene& scene, Clouds clouds, const Det
     const auto& puffs = drawn == Drawn::FewPuffs ? archetype.farPuffs : archetype.puffs;
     const auto& lights = drawn == Drawn::FewPuffs ? lit.farPuffs : lit.puffs;
     for (std::size_t p = 0; p < lights.size(); ++p)
-      out.push_back({scene::placed(scene, instance, puffs[p]), lightOf(scene, instance, lights[p])});
+      out.push_back({scene::placed(scene, instance, puffs[p]), lightOf(scene, instance, lights[p]),
+                     archetype.genus});
   }
   return out;
 }
