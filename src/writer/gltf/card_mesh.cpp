@@ -111,15 +111,24 @@ CardMesh cardsOf(const scene::Archetype& archetype, const scene::LitArchetype& l
   return mesh;
 }
 
-int addCardMesh(GlbFile& file, const std::string& name, const CardMesh& mesh, int material) {
-  Attributes attributes{{"POSITION", file.addFloats(3, mesh.positions, true)},
-                        {"TEXCOORD_0", file.addFloats(2, mesh.textureBoxes)},
-                        {"COLOR_0", file.addUnitShorts(mesh.colors)}};
+CardColumns addCardColumns(GlbFile& file, const CardMesh& mesh) {
+  std::vector<std::uint16_t> textureBoxes;
+  for (const float coordinate : mesh.textureBoxes) textureBoxes.push_back(toShort(coordinate));
+  CardColumns columns;
+  columns.attributes = {{"POSITION", file.addFloats(3, mesh.positions, true)},
+                        {"TEXCOORD_0", file.addUnitShorts(2, textureBoxes)}};
   if (std::ranges::any_of(mesh.opticalDepths, [](float depth) { return depth > kOpaqueOpticalDepth; }))
-    attributes.emplace_back("_OPTICAL_DEPTH", file.addFloats(1, mesh.opticalDepths));
-  return file.addMesh(name, {.attributes = std::move(attributes),
-                             .indices = file.addIndices(mesh.indices),
-                             .material = material});
+    columns.attributes.emplace_back("_OPTICAL_DEPTH", file.addFloats(1, mesh.opticalDepths));
+  columns.indices = file.addIndices(mesh.indices);
+  return columns;
+}
+
+int addCardMesh(GlbFile& file, const std::string& name, const CardColumns& columns, const CardMesh& mesh,
+                int material) {
+  Attributes attributes = columns.attributes;
+  attributes.emplace_back("COLOR_0", file.addUnitShorts(4, mesh.colors));
+  return file.addMesh(
+      name, {.attributes = std::move(attributes), .indices = columns.indices, .material = material});
 }
 
 }  // namespace cloudgen::writer::gltf

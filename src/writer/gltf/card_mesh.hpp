@@ -37,7 +37,17 @@ struct CardMesh {
 CardMesh cardsOf(const scene::Archetype& archetype, const scene::LitArchetype& lit, float opticalDepthFactor,
                  const image::SpriteAtlas& atlas);
 
-/// Adds the mesh; with _OPTICAL_DEPTH, if a card is denser than its alpha tells.
-int addCardMesh(GlbFile& file, const std::string& name, const CardMesh& mesh, int material);
+/// What meshes of the same cards share whatever light is on them.
+struct CardColumns {
+  Attributes attributes;
+  int indices = -1;
+};
+
+/// Adds all but the colours; with _OPTICAL_DEPTH, if a card is denser than its alpha tells.
+CardColumns addCardColumns(GlbFile& file, const CardMesh& mesh);
+
+/// Adds the colours and the mesh.
+int addCardMesh(GlbFile& file, const std::string& name, const CardColumns& columns, const CardMesh& mesh,
+                int material);
 
 }  // namespace cloudgen::writer::gltf

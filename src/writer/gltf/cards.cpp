@@ -2,6 +2,7 @@
 #include <glm/common.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "base/data_dir.hpp"
 #include "base/file.hpp"
@@ -54,16 +55,18 @@ std::vector<std::vector<std::uint32_t>> instancesByLight(const scene::Scene& sce
   return groups;
 }
 
-/// Cards of one mesh have one alpha: that of their instances' mean optical-depth factor, each by the area that
-/// it covers.
-float meanFactor(const scene::Scene& scene, const std::vector<std::uint32_t>& instances) {
-  double sum = 0, area = 0;
-  for (const std::uint32_t i : instances) {
-    const double own = static_cast<double>(scene.instances[i].scale) * scene.instances[i].scale;
-    sum += own * static_cast<double>(scene.instances[i].opticalDepthFactor);
-    area += own;
+/// The cards of an archetype have one alpha under all headings: that of its clouds' mean optical-depth factor,
+/// each by the area that it covers.
+std::vector<float> meanFactors(const scene::Scene& scene) {
+  std::vector<glm::dvec2> sums(scene.archetypes.size(), glm::dvec2(0));
+  for (const scene::Instance& cloud : scene.instances) {
+    const double area = static_cast<double>(cloud.scale) * static_cast<double>(cloud.scale);
+    sums[scene.lit[cloud.lit].archetype] +=
+        glm::dvec2(area * static_cast<double>(cloud.opticalDepthFactor), area);
   }
-  return static_cast<float>(sum / area);
+  std::vector<float> factors;
+  for (const glm::dvec2& sum : sums) factors.push_back(sum.y > 0 ? static_cast<float>(sum.x / sum.y) : 1);
+  return factors;
 }
 
 /// The middle of the instances in whole metres: places relative to it keep their precision.
@@ -132,7 +135,7 @@ void addGround(GlbFile& file, const scene::Scene& scene) {
     }
   const int mesh = file.addMesh("ground", {.attributes = {{"POSITION", file.addFloats(3, positions, true)},
                                                           {"NORMAL", file.addFloats(3, normals)},
-                                                          {"COLOR_0", file.addUnitShorts(colors)}},
+                                                          {"COLOR_0", file.addUnitShorts(4, colors)}},
                                            .indices = file.addIndices(base::trianglesOf(terrain)),
                                            .material = file.addPlainMaterial("ground", glm::vec3(1))});
   file.addNode({.name = "ground", .mesh = mesh, .translation = {middle.x, 0, middle.y}});
@@ -145,6 +148,8 @@ void writeCards(const scene::Scene& scene, const Destination& destination) {
   GenusMaterials materials(file);
   addGround(file, scene);
   const auto groups = instancesByLight(scene);
+  const auto factors = meanFactors(scene);
+  std::vector<std::optional<CardColumns>> columns(scene.archetypes.size());
   for (std::size_t g = 0; g < groups.size(); ++g) {
     destination.progress.step("glb", static_cast<double>(g) / static_cast<double>(groups.size()));
     const scene::LitArchetype& lit = scene.lit[g];
@@ -152,8 +157,10 @@ void writeCards(const scene::Scene& scene, const Destination& destination) {
     if (groups[g].empty() || archetype.farPuffs.empty()) continue;
     const std::string name = fmt::format("{} heading {}", archetype.name, lit.yawStep);
     const CardMesh cards =
-        cardsOf(archetype, lit, meanFactor(scene, groups[g]), materials.atlas(archetype.genus));
-    const int mesh = addCardMesh(file, name, cards, materials.material(archetype.genus));
+        cardsOf(archetype, lit, factors[lit.archetype], materials.atlas(archetype.genus));
+    auto& shared = columns[lit.archetype];
+    if (!shared) shared = addCardColumns(file, cards);
+    const int mesh = addCardMesh(file, name, *shared, cards, materials.material(archetype.genus));
     const glm::dvec3 middle = middleOf(scene, groups[g]);
     const nlohmann::json extras = cloudExtras(scene, archetype, groups[g]);
     file.addNode({.name = name,

@@ -77,6 +77,7 @@ struct GlbFile::Parts {
   tinygltf::Model model;  // without its buffer: see write()
   std::vector<Piece> pieces;
   std::uint64_t binaryBytes = 0;
+  std::map<std::vector<std::uint32_t>, int> indices;  // accessors of those that are there
 
   void append(std::string_view bytes) {
     if (pieces.empty() || pieces.back().fill) pieces.emplace_back();
@@ -140,48 +141,53 @@ int GlbFile::addColumn(const Column& column) {
 }
 
 int GlbFile::addFloats(int components, std::span<const float> values, bool withBounds) {
-  tinygltf::Accessor accessor;
-  accessor.bufferView = addView(values.data(), values.size_bytes(), TINYGLTF_TARGET_ARRAY_BUFFER);
-  accessor.componentType = TINYGLTF_COMPONENT_TYPE_FLOAT;
-  accessor.type = kTypes[static_cast<std::size_t>(components)];
+  const int view = addView(values.data(), values.size_bytes(), TINYGLTF_TARGET_ARRAY_BUFFER);
   const auto width = static_cast<std::size_t>(components);
-  accessor.count = values.size() / width;
-  if (withBounds) {
-    accessor.minValues.assign(width, std::numeric_limits<double>::max());
-    accessor.maxValues.assign(width, std::numeric_limits<double>::lowest());
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      accessor.minValues[i % width] = std::min<double>(accessor.minValues[i % width], values[i]);
-      accessor.maxValues[i % width] = std::max<double>(accessor.maxValues[i % width], values[i]);
-    }
+  const int index = addAccessor(view, TINYGLTF_COMPONENT_TYPE_FLOAT, components, values.size() / width);
+  if (!withBounds) return index;
+  auto& accessor = parts_->model.accessors.back();
+  accessor.minValues.assign(width, std::numeric_limits<double>::max());
+  accessor.maxValues.assign(width, std::numeric_limits<double>::lowest());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    accessor.minValues[i % width] = std::min<double>(accessor.minValues[i % width], values[i]);
+    accessor.maxValues[i % width] = std::max<double>(accessor.maxValues[i % width], values[i]);
   }
-  parts_->model.accessors.push_back(std::move(accessor));
-  return indexOfLast(parts_->model.accessors);
+  return index;
 }
 
-int GlbFile::addIntegers(const void* bytes, std::size_t count, int width, int type, int target) {
+int GlbFile::addAccessor(int view, int componentType, int components, std::size_t count) {
   tinygltf::Accessor accessor;
-  accessor.componentType = width == 1   ? TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE
-                           : width == 2 ? TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT
-                                        : TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
-  accessor.bufferView = addView(bytes, count * static_cast<std::size_t>(width), target);
-  accessor.type = type;
-  accessor.normalized = type == TINYGLTF_TYPE_VEC4;
-  accessor.count = type == TINYGLTF_TYPE_VEC4 ? count / 4 : count;
+  accessor.bufferView = view;
+  accessor.componentType = componentType;
+  accessor.type = kTypes[static_cast<std::size_t>(components)];
+  accessor.count = count;
   parts_->model.accessors.push_back(std::move(accessor));
   return indexOfLast(parts_->model.accessors);
 }
 
-int GlbFile::addUnitBytes(std::span<const std::uint8_t> values) {
-  return addIntegers(values.data(), values.size(), 1, TINYGLTF_TYPE_VEC4, TINYGLTF_TARGET_ARRAY_BUFFER);
-}
-
-int GlbFile::addUnitShorts(std::span<const std::uint16_t> values) {
-  return addIntegers(values.data(), values.size(), 2, TINYGLTF_TYPE_VEC4, TINYGLTF_TARGET_ARRAY_BUFFER);
+int GlbFile::addUnitShorts(int components, std::span<const std::uint16_t> values) {
+  const int view = addView(values.data(), values.size_bytes(), TINYGLTF_TARGET_ARRAY_BUFFER);
+  const int accessor = addAccessor(view, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, components,
+                                   values.size() / static_cast<std::size_t>(components));
+  parts_->model.accessors.back().normalized = true;
+  return accessor;
 }
 
 int GlbFile::addIndices(std::span<const std::uint32_t> values) {
-  return addIntegers(values.data(), values.size(), 4, TINYGLTF_TYPE_SCALAR,
-                     TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
+  const auto [found, isNew] = parts_->indices.try_emplace({values.begin(), values.end()}, 0);
+  if (!isNew) return found->second;
+  constexpr int kTarget = TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER;
+  // 65535 is left out: it restarts primitives.
+  const bool isSmall = std::ranges::all_of(values, [](std::uint32_t index) { return index < 65535; });
+  if (isSmall) {
+    const std::vector<std::uint16_t> shorts(values.begin(), values.end());
+    found->second = addAccessor(addView(shorts.data(), shorts.size() * sizeof(std::uint16_t), kTarget),
+                                TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, 1, values.size());
+  } else {
+    found->second = addAccessor(addView(values.data(), values.size_bytes(), kTarget),
+                                TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, 1, values.size());
+  }
+  return found->second;
 }
 
 int GlbFile::addUnpacked(int components, std::size_t count, bool unitBytes) {

@@ -62,9 +62,9 @@ class GlbFile {
   /// Tuples of `components` (1 to 4) floats. With `withBounds` the accessor gets min and max, as POSITION
   /// needs.
   int addFloats(int components, std::span<const float> values, bool withBounds = false);
-  /// Tuples of four values 0..255 or 0..65535 that stand for 0..1.
-  int addUnitBytes(std::span<const std::uint8_t> values);
-  int addUnitShorts(std::span<const std::uint16_t> values);
+  /// Tuples of two or four values 0..65535 that stand for 0..1.
+  int addUnitShorts(int components, std::span<const std::uint16_t> values);
+  /// In two bytes each where they fit; the same indices again are not written again.
   int addIndices(std::span<const std::uint32_t> values);
   /// An accessor whose values an extension unpacks: tuples of floats, or of bytes that stand for 0..1.
   int addUnpacked(int components, std::size_t count, bool unitBytes = false);
@@ -101,8 +101,7 @@ class GlbFile {
 
   int addTextureOfLastImage();
   int addView(const void* bytes, std::size_t count, int target);
-  /// `count` unsigned integers of `width` bytes; as VEC4 they stand for 0..1.
-  int addIntegers(const void* bytes, std::size_t count, int width, int type, int target);
+  int addAccessor(int view, int componentType, int components, std::size_t count);
 };
 
 }  // namespace cloudgen::writer::gltf

@@ -68,8 +68,9 @@ std::size_t addCards(gltf::GlbFile& file, const TilePlane& plane, const Placemen
     const std::string name(base::abbreviation(genus));
     const int texture = file.addTexture(name, "../textures/" + image::atlasOf(atlases, genus).file);
     const nlohmann::json extras{{"genus", name}};
+    const int material = file.addCardMaterial(name, texture);
     file.addNode({.name = name,
-                  .mesh = gltf::addCardMesh(file, name, mesh, file.addCardMaterial(name, texture)),
+                  .mesh = gltf::addCardMesh(file, name, gltf::addCardColumns(file, mesh), mesh, material),
                   .extras = &extras});
   }
   return count;

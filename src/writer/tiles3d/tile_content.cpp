@@ -113,7 +113,7 @@ WrittenTile writeTile(const scene::Scene& scene, const TileTree& tree, const Til
     if (style.content == TileContent::Splats)
       addPlainSplats(glb, name, splats, sun.direction, style.degree);
     else
-      addPackedSplats(glb, name, splats, sun.direction);
+      addPackedSplats(glb, name, splats, sun.direction, style.degree);
   }
   glb.write(file);
   if (style.gzip) base::writeFile(file, base::gzipped(base::readFile(file)));

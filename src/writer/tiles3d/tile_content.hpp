@@ -32,7 +32,7 @@ TileContent chosenContent(const scene::Scene& scene, const TileTree& tree);
 /// How tiles are drawn.
 struct TileStyle {
   TileContent content = TileContent::Packed;  ///< not Auto
-  int degree = 1;                             ///< of the harmonics of plain splats
+  int degree = 1;                             ///< of the harmonics of splats
   bool gzip = false;
   std::vector<image::SpriteAtlas> atlases;  ///< of cards
 };

@@ -26,7 +26,7 @@ constexpr float kTellingOpticalDepth = 4;
 
 /// The accessors that a packed primitive has, without bytes of their own. Some viewers count those of the
 /// harmonics to learn the degree, so that of degree 0, which is COLOR_0, is left out.
-Attributes unpackedAttributes(GlbFile& file, std::span<const Splat> splats) {
+Attributes unpackedAttributes(GlbFile& file, std::span<const Splat> splats, int degree) {
   const auto splatting = [](std::string_view name) { return fmt::format("{}:{}", gltf::kSplatting, name); };
   glm::dvec3 lower(1e30), upper(-1e30);
   for (const Splat& splat : splats) {
@@ -37,9 +37,10 @@ Attributes unpackedAttributes(GlbFile& file, std::span<const Splat> splats) {
                         {"COLOR_0", file.addUnpacked(4, splats.size(), true)},
                         {splatting("SCALE"), file.addUnpacked(3, splats.size())},
                         {splatting("ROTATION"), file.addUnpacked(4, splats.size())}};
-  for (int k = 0; k < 3; ++k)
-    attributes.emplace_back(splatting(fmt::format("SH_DEGREE_1_COEF_{}", k)),
-                            file.addUnpacked(3, splats.size()));
+  for (int l = 1; l <= degree; ++l)
+    for (int k = 0; k < 2 * l + 1; ++k)
+      attributes.emplace_back(splatting(fmt::format("SH_DEGREE_{}_COEF_{}", l, k)),
+                              file.addUnpacked(3, splats.size()));
   return attributes;
 }
 
@@ -93,11 +94,11 @@ std::vector<Splat> splatsOn(const TilePlane& plane, const Placement& placement,
 }
 
 void addPackedSplats(GlbFile& file, const std::string& name, std::span<const Splat> splats,
-                     glm::vec3 sunDirection) {
+                     glm::vec3 sunDirection, int degree) {
   nlohmann::json extension = gltf::splattingExtension();
   extension["extensions"][kPackedExtension]["bufferView"] =
-      file.addBytes(gltf::packedSplats(splats, sunDirection, kMetersPerUnit));
-  const int mesh = file.addMesh(name, {.attributes = unpackedAttributes(file, splats),
+      file.addBytes(gltf::packedSplats(splats, sunDirection, kMetersPerUnit, degree));
+  const int mesh = file.addMesh(name, {.attributes = unpackedAttributes(file, splats, degree),
                                        .points = true,
                                        .extensions = {{gltf::kSplatting, &extension}}});
   const nlohmann::json extras = opticalDepthExtras(file, splats);

@@ -22,7 +22,7 @@ std::vector<gltf::Splat> splatsOn(const TilePlane& plane, const Placement& place
 /// have "opticalDepths": a buffer view with a byte b each, exp(offset + scale b / 255) along the shortest axis.
 /// They stand there because of a property table CesiumJS would make a texture.
 void addPackedSplats(gltf::GlbFile& file, const std::string& name, std::span<const gltf::Splat> splats,
-                     glm::vec3 sunDirection);
+                     glm::vec3 sunDirection, int degree);
 
 /// Adds a node of splats as plain columns; they must outlive the file.
 void addPlainSplats(gltf::GlbFile& file, const std::string& name, std::span<const gltf::Splat> splats,
