@@ -31,7 +31,7 @@ struct BuildLine {
   double typingWindowMinutes = 180;
   std::uint64_t seed = 1, maxPuffs = 200'000;
   int threads = 0, splatDegree = 1;
-  bool overwrite = false, json = false, verify = false, tilesGzip = false;
+  bool overwrite = false, json = false, verify = false, tilesGzip = false, glbNodes = false;
 };
 
 void refuseWhatIsNotBuilt(const BuildLine& line) {
@@ -138,6 +138,7 @@ int build(const BuildLine& line, const Terminal& terminal) {
   writer::Destination destination{folder.path(), progress};
   destination.tiles = {tileContents().at(line.tiles), line.tilesGzip};
   destination.splats.degree = line.splatDegree;
+  destination.cards.singly = line.glbNodes;
   const auto write = [&](bool showingVerification) {
     for (const writer::Format* format : formats) {
       if (format->showsVerification != showingVerification) continue;
@@ -230,6 +231,8 @@ std::function<int()> setupBuild(CLI::App& options, const Terminal& terminal) {
       ->capture_default_str();
   options.add_flag("--tiles-gzip", line->tilesGzip,
                    "3D Tiles as gzip under their own names; the server must say Content-Encoding: gzip");
+  options.add_flag("--glb-nodes", line->glbNodes,
+                   "scene.glb with a node a cloud, for viewers without EXT_mesh_gpu_instancing");
   options
       .add_option("--splat-degree", line->splatDegree,
                   "harmonics of splats: 0 (one colour from all sides), 1, or 2 (sharper towards the sun)")

@@ -28,6 +28,10 @@ struct SplatOptions {
   int degree = 1;  ///< of the spherical harmonics, 0 to 2: how sharply clouds brighten towards the sun
 };
 
+struct CardOptions {
+  bool singly = false;  ///< scene.glb has a node a cloud, for viewers without EXT_mesh_gpu_instancing
+};
+
 /// Where a writer puts its files, and whom it tells how far it is.
 struct Destination {
   std::filesystem::path folder;  ///< exists; files of other formats may already be in it
@@ -37,6 +41,7 @@ struct Destination {
   std::string verification = {};
   TilesOptions tiles = {};
   SplatOptions splats = {};
+  CardOptions cards = {};
 };
 
 /// One output format. `write` throws OutputError; it writes only the named files (and textures/).

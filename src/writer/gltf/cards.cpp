@@ -105,13 +105,43 @@ Attributes addPlaces(GlbFile& file, const scene::Scene& scene, const std::vector
 
 /// What the clouds of a node are, in the order of the node's instances.
 nlohmann::json cloudExtras(const scene::Scene& scene, const scene::Archetype& archetype,
-                           const std::vector<std::uint32_t>& instances) {
+                           std::span<const std::uint32_t> instances) {
   nlohmann::json ids = nlohmann::json::array();
   for (const std::uint32_t i : instances)
     if (i < scene.clouds.size()) ids.push_back(std::to_string(scene.clouds[i].id));
   return {{"genus", base::abbreviation(archetype.genus)},
           {"archetype", archetype.name},
           {"clouds", std::move(ids)}};
+}
+
+/// One node for all clouds of a mesh.
+void addInstanced(GlbFile& file, const scene::Scene& scene, const std::string& name, int mesh,
+                  const std::vector<std::uint32_t>& instances) {
+  const scene::LitArchetype& lit = scene.lit[scene.instances[instances.front()].lit];
+  const glm::dvec3 middle = middleOf(scene, instances);
+  const nlohmann::json extras = cloudExtras(scene, scene.archetypes[lit.archetype], instances);
+  file.addNode({.name = name,
+                .mesh = mesh,
+                .translation = middle,
+                .extras = &extras,
+                .instancing = addPlaces(file, scene, instances, middle)});
+}
+
+/// A node a cloud. Core glTF has no colour of a node: clouds in the shadow of others are as bright as all.
+void addSingly(GlbFile& file, const scene::Scene& scene, const std::string& name, int mesh,
+               const std::vector<std::uint32_t>& instances) {
+  for (const std::uint32_t i : instances) {
+    const scene::Instance& cloud = scene.instances[i];
+    const scene::LitArchetype& lit = scene.lit[cloud.lit];
+    const nlohmann::json extras =
+        cloudExtras(scene, scene.archetypes[lit.archetype], std::span(&i, 1));
+    file.addNode({.name = name,
+                  .mesh = mesh,
+                  .translation = glm::dvec3(cloud.position),
+                  .rotation = glm::angleAxis(scene::yawRadians(lit.yawStep), glm::vec3(0, 1, 0)),
+                  .scale = static_cast<double>(cloud.scale),
+                  .extras = &extras});
+  }
 }
 
 /// The ground as a mesh; its colours hold sun, height and shadows, as it is unlit.
@@ -161,13 +191,7 @@ void writeCards(const scene::Scene& scene, const Destination& destination) {
     auto& shared = columns[lit.archetype];
     if (!shared) shared = addCardColumns(file, cards);
     const int mesh = addCardMesh(file, name, *shared, cards, materials.material(archetype.genus));
-    const glm::dvec3 middle = middleOf(scene, groups[g]);
-    const nlohmann::json extras = cloudExtras(scene, archetype, groups[g]);
-    file.addNode({.name = name,
-                  .mesh = mesh,
-                  .translation = middle,
-                  .extras = &extras,
-                  .instancing = addPlaces(file, scene, groups[g], middle)});
+    (destination.cards.singly ? addSingly : addInstanced)(file, scene, name, mesh, groups[g]);
   }
   file.write(destination.folder / "scene.glb");
   destination.progress.step("glb", 1);

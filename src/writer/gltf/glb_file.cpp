@@ -288,6 +288,9 @@ int GlbFile::addNode(const Node& node) {
                   node.translation.x, node.translation.y, node.translation.z, 1};
   else if (node.translation != glm::dvec3(0))
     out.translation = {node.translation.x, node.translation.y, node.translation.z};
+  if (node.rotation != glm::quat(1, 0, 0, 0))
+    out.rotation = {node.rotation.x, node.rotation.y, node.rotation.z, node.rotation.w};
+  if (node.scale != 1) out.scale = {node.scale, node.scale, node.scale};
   if (node.extras) out.extras = valueOf(*node.extras);
   if (!node.instancing.empty()) {
     out.extensions[kInstancing] = attributesValue(node.instancing);

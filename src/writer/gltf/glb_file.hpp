@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
@@ -31,6 +32,8 @@ struct Node {
   int mesh = -1;
   glm::dvec3 translation{0};
   double metersPerUnit = 1;  ///< written as a matrix, if it is not 1
+  glm::quat rotation{1, 0, 0, 0};
+  double scale = 1;  ///< beside a rotation; metersPerUnit is 1 then
   const nlohmann::json* extras = nullptr;
   Attributes instancing;  ///< EXT_mesh_gpu_instancing, or empty
 };

@@ -2,7 +2,9 @@
 // What splat tools read of a PLY file, by a reader that shares no code with the writer.
 #include "writer/ply/ply.hpp"
 
+#include <cstring>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "base/error.hpp"
 #include "base/file.hpp"
