@@ -2,6 +2,8 @@
 // What splat tools read of a PLY file, by a reader that shares no code with the writer.
 #include "writer/ply/ply.hpp"
 
+#include <fmt/format.h>
+
 #include <cstring>
 #include <glm/geometric.hpp>
 #include <limits>
