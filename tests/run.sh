@@ -76,7 +76,7 @@ for name in cumulus cumulonimbus; do
   make_sky "$name" "examples/gallery/$name.sky.json" --max-puffs 30000 --formats x3d,vrml,splats,glb
 done
 # Tilesets of few clouds, that each can be told from the others: for CesiumJS and for three.js.
-for content in spz splats; do
+for content in spz cards splats; do
   make_sky "tiles_$content" examples/gallery/cumulus.sky.json --max-puffs 30000 --formats splats,tiles --tiles "$content"
   part "validate tiles_$content/tileset.json" "$cloudgen" validate "$scenes/tiles_$content/tileset.json"
 done

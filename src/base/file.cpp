@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "base/error.hpp"
+#include "base/growing_file.hpp"
 #include "base/text.hpp"
 
 namespace cloudgen::base {
@@ -52,26 +53,9 @@ std::string readFile(const fs::path& file, std::uint64_t limitBytes) {
 void writeFile(const fs::path& file, std::string_view bytes) { writeFile(file, std::span(&bytes, 1)); }
 
 void writeFile(const fs::path& file, std::span<const std::string_view> pieces) {
-  const fs::path beside = file.string() + ".part";
-  {
-    std::ofstream stream(beside, std::ios::binary | std::ios::trunc);
-    for (const std::string_view bytes : pieces)
-      stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    stream.flush();
-    if (!stream) {
-      const std::string reason = systemReason();
-      std::error_code ignored;
-      fs::remove(beside, ignored);
-      throw OutputError(file.string(), "cannot be written (" + reason + ")",
-                        "check the folder, its permissions and the free space");
-    }
-  }
-  std::error_code error;
-  fs::rename(beside, file, error);
-  if (!error) return;
-  std::error_code ignored;
-  fs::remove(beside, ignored);
-  throw OutputError(file.string(), "cannot be put in place (" + error.message() + ")", "check the folder");
+  GrowingFile out(file);
+  for (const std::string_view bytes : pieces) out.append(bytes);
+  out.commit();
 }
 
 StagedFolder::StagedFolder(fs::path target, bool overwrite)

@@ -7,6 +7,7 @@
 #include "base/text.hpp"
 #include "check/gltf/validate_glb.hpp"
 #include "check/pack/validate_pack.hpp"
+#include "check/ply/validate_ply.hpp"
 #include "check/tiles3d/validate_tileset.hpp"
 #include "check/vrml/validate_vrml.hpp"
 #include "check/xsd/validate_x3d.hpp"
@@ -14,10 +15,11 @@
 namespace cloudgen::check {
 
 std::span<const FileKind> fileKinds() {
-  static constexpr std::array<FileKind, 6> kKinds{{
+  static constexpr std::array<FileKind, 7> kKinds{{
       {".x3d", "X3D in XML encoding", validateX3d},
       {".glb", "binary glTF 2.0, Gaussian splats too", validateGlb},
       {".cgpack", "realtime runtime pack", validatePack},
+      {".ply", "Gaussian splats in PLY", validatePly},
       {".wrl", "VRML97", validateVrml},
       {"tileset.json", "3D Tiles 1.1, with what it names", validateTileset},
       {".x3dv", "X3D in ClassicVRML encoding", validateVrml},

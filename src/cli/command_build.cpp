@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -25,12 +26,12 @@ namespace {
 /// The command line as written.
 struct BuildLine {
   InputLine input;
-  std::string output, box, formats, sun = "auto", frame = "local", types, typing, shard, maxMemory, tiles = "spz";
+  std::string output, box, formats, sun = "auto", frame = "local", types, typing, shard, maxMemory, tiles = "auto";
   ShapeLine shape;
   double typingWindowMinutes = 180;
   std::uint64_t seed = 1, maxPuffs = 200'000;
-  int threads = 0;
-  bool overwrite = false, json = false, verify = false, tilesGzip = false;
+  int threads = 0, splatDegree = 1;
+  bool overwrite = false, json = false, verify = false, tilesGzip = false, glbNodes = false;
 };
 
 void refuseWhatIsNotBuilt(const BuildLine& line) {
@@ -53,6 +54,14 @@ void refuseWhatCannotBeVerified(const BuildLine& line, std::span<const writer::F
   if (line.verify && !read)
     throw base::UsageError("--verify", "reads x3d, splats, glb, pack or tiles, and none is written",
                            "add one of them to --formats");
+}
+
+const std::map<std::string, writer::TileContent>& tileContents() {
+  static const std::map<std::string, writer::TileContent> kContents{{"auto", writer::TileContent::Auto},
+                                                                    {"spz", writer::TileContent::Packed},
+                                                                    {"cards", writer::TileContent::Cards},
+                                                                    {"splats", writer::TileContent::Splats}};
+  return kContents;
 }
 
 std::optional<std::pair<double, double>> sunFromText(const std::string& text) {
@@ -127,8 +136,9 @@ int build(const BuildLine& line, const Terminal& terminal) {
   const pipeline::Outcome outcome = pipeline::run(*source, options, progress);
   watch.lap("pipeline");
   writer::Destination destination{folder.path(), progress};
-  destination.tiles = {line.tiles == "splats" ? writer::TileContent::Splats : writer::TileContent::Packed,
-                       line.tilesGzip};
+  destination.tiles = {tileContents().at(line.tiles), line.tilesGzip};
+  destination.splats.degree = line.splatDegree;
+  destination.cards.singly = line.glbNodes;
   const auto write = [&](bool showingVerification) {
     for (const writer::Format* format : formats) {
       if (format->showsVerification != showingVerification) continue;
@@ -181,7 +191,7 @@ std::function<int()> setupBuild(CLI::App& options, const Terminal& terminal) {
   options.add_option("--bbox", line->box,
                      "west,south,east,north in degrees (default: the whole model domain)");
   options.add_option("--formats", line->formats,
-                     "comma-separated list; `cloudgen formats` lists them (default: all but tiles)");
+                     "comma-separated list; `cloudgen formats` lists them (default: all but ply and tiles)");
   options.add_option("--seed", line->seed, "another seed, another sky of the same statistics")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
@@ -215,12 +225,19 @@ std::function<int()> setupBuild(CLI::App& options, const Terminal& terminal) {
   options.add_flag("--shape-z-up", line->shape.zUp, "z of a mesh or a .vdb is up, not y");
   options
       .add_option("--tiles", line->tiles,
-                  "what 3D Tiles hold: spz (splats packed small, what CesiumJS draws) or splats (plain, what "
-                  "three.js draws)")
-      ->check(CLI::IsMember({"spz", "splats"}))
+                  "what 3D Tiles hold: spz (splats packed small, what CesiumJS draws up to a width), cards (for any "
+                  "viewer), splats (plain, what three.js draws), or auto (spz where that is enough, else cards)")
+      ->check(CLI::IsMember({"auto", "spz", "cards", "splats"}))
       ->capture_default_str();
   options.add_flag("--tiles-gzip", line->tilesGzip,
                    "3D Tiles as gzip under their own names; the server must say Content-Encoding: gzip");
+  options.add_flag("--glb-nodes", line->glbNodes,
+                   "scene.glb with a node a cloud, for viewers without EXT_mesh_gpu_instancing");
+  options
+      .add_option("--splat-degree", line->splatDegree,
+                  "harmonics of splats: 0 (one colour from all sides), 1, or 2 (sharper towards the sun)")
+      ->check(CLI::Range(0, 2))
+      ->capture_default_str();
   options.add_option("--shard", line->shard, "I/N: only a share of the tiles (not built yet)");
   options.add_option("--max-memory", line->maxMemory, "limit of memory (not built yet)");
   const auto config = std::make_shared<std::string>();

@@ -121,8 +121,8 @@ std::function<int()> setupVerify(CLI::App& options, const Terminal& terminal) {
       ->capture_default_str();
   options
       .add_option("--format", line->format,
-                  "which file to read: x3d, splats, glb, pack, tiles or auto (the best that is there)")
-      ->check(CLI::IsMember({"auto", "x3d", "splats", "glb", "pack", "tiles"}))
+                  "which file to read: x3d, splats, ply, glb, pack, tiles or auto (the best that is there)")
+      ->check(CLI::IsMember({"auto", "x3d", "splats", "ply", "glb", "pack", "tiles"}))
       ->capture_default_str();
   options.add_option(
       "-o,--output", line->maps,

@@ -23,6 +23,7 @@ check::WrittenScene readWritten(const std::filesystem::path& folder, const std::
   if (chosen == "pack") return check::readPackScene(pack);
   if (chosen == "x3d") return check::readX3dScene(x3d, progress);
   if (chosen == "glb") return check::readGlbScene(glb);
+  if (chosen == "ply") return check::readPlyScene(folder / "scene.splats.ply");
   check::WrittenScene scene =
       chosen == "tiles" ? check::readTileScene(tiles, frame, progress) : check::readSplatScene(splats);
   if (format == "auto" && hasX3d) scene.clouds = check::readX3dScene(x3d, progress).clouds;

@@ -2,6 +2,7 @@
 #include "scene/scene.hpp"
 
 #include <algorithm>
+#include <array>
 #include <glm/common.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <numbers>
@@ -16,8 +17,23 @@ std::uint64_t drawnPuffs(const Scene& scene) {
 
 float yawRadians(int yawStep) { return static_cast<float>(yawStep * 2.0 * std::numbers::pi / kYawSteps); }
 
+namespace {
+
+/// The rotation of a step of yaw.
+const glm::quat& turnOf(int yawStep) {
+  static const auto kTurns = [] {
+    std::array<glm::quat, kYawSteps> turns;
+    for (int step = 0; step < kYawSteps; ++step)
+      turns[static_cast<std::size_t>(step)] = glm::angleAxis(yawRadians(step), glm::vec3(0, 1, 0));
+    return turns;
+  }();
+  return kTurns[static_cast<std::size_t>(yawStep)];
+}
+
+}  // namespace
+
 shape::Puff placed(const Scene& scene, const Instance& instance, const shape::Puff& puff) {
-  const glm::quat turn = glm::angleAxis(yawRadians(scene.lit[instance.lit].yawStep), glm::vec3(0, 1, 0));
+  const glm::quat& turn = turnOf(scene.lit[instance.lit].yawStep);
   shape::Puff out = puff;
   out.center = instance.position + turn * (puff.center * instance.scale);
   out.sigma = puff.sigma * instance.scale;

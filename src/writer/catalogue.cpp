@@ -8,6 +8,7 @@
 #include "writer/gltf/gltf.hpp"
 #include "writer/pack/pack.hpp"
 #include "writer/page/page.hpp"
+#include "writer/ply/ply.hpp"
 #include "writer/tiles3d/tiles3d.hpp"
 #include "writer/x3d/x3d.hpp"
 
@@ -19,9 +20,10 @@ std::span<const Format> formats() {
       {"x3dv", "X3D in the ClassicVRML encoding", {"scene.x3dv"}, writeClassicVrml},
       {"vrml", "VRML97", {"scene.wrl"}, writeVrml97},
       {"splats", "Gaussian splats: glTF with KHR_gaussian_splatting", {"scene.splats.glb"}, writeSplats},
+      {"ply", "Gaussian splats as splat tools read them", {"scene.splats.ply"}, writePly, true},
       {"glb", "core glTF 2.0: instanced crossed cards", {"scene.glb"}, writeCards},
       {"pack", "realtime runtime pack (FlatBuffers)", {"scene.cgpack"}, writePack},
-      {"tiles", "3D Tiles 1.1: a quadtree of splats on the globe", {"tileset.json"}, writeTiles, true},
+      {"tiles", "3D Tiles 1.1: a quadtree of splats or cards on the globe", {"tileset.json"}, writeTiles, true},
       {"page", "a page that opens in any browser (shows the splats)", {"index.html"}, writePage, false, true},
   };
   return kFormats;

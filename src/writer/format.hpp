@@ -13,13 +13,23 @@ namespace cloudgen::writer {
 
 /// What the tiles of a tileset hold.
 enum class TileContent {
+  Auto,    ///< Packed where CesiumJS draws them all, else Cards
   Packed,  ///< splats packed as SPZ: small, and what CesiumJS draws
+  Cards,   ///< textured rectangles: what every viewer draws, and clouds of any size in CesiumJS
   Splats   ///< splats as plain columns: what three.js and Babylon.js draw
 };
 
 struct TilesOptions {
-  TileContent content = TileContent::Packed;
+  TileContent content = TileContent::Auto;
   bool gzip = false;  ///< files are gzip under their own names; servers must say Content-Encoding: gzip
+};
+
+struct SplatOptions {
+  int degree = 1;  ///< of the spherical harmonics, 0 to 2: how sharply clouds brighten towards the sun
+};
+
+struct CardOptions {
+  bool singly = false;  ///< scene.glb has a node a cloud, for viewers without EXT_mesh_gpu_instancing
 };
 
 /// Where a writer puts its files, and whom it tells how far it is.
@@ -30,6 +40,8 @@ struct Destination {
   /// nobody looked. Its maps are in verify/.
   std::string verification = {};
   TilesOptions tiles = {};
+  SplatOptions splats = {};
+  CardOptions cards = {};
 };
 
 /// One output format. `write` throws OutputError; it writes only the named files (and textures/).

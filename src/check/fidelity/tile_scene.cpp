@@ -2,6 +2,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/geocentric.hpp"
+#include "check/fidelity/picture_cards.hpp"
 #include "check/fidelity/written_scene.hpp"
 #include "check/tiles3d/read_tiles.hpp"
 
@@ -28,7 +29,25 @@ WrittenScene readTileScene(const std::filesystem::path& file, const base::LocalF
     }
     if (splat.opacity >= kMostOpaque && splat.opticalDepth <= saturation) ++scene.saturated;
     scene.blobs.push_back(volumeBlob(center, halfAxes, splat.opticalDepth));
+  }, [&](const MeshNode& node, const glm::dmat4& toEarth) {
+    std::vector<Card> cards;
+    for (const PictureMesh& part : node.parts) addCardsOf(part, cards);
+    for (const MeshPlace& place : node.places)
+      for (const Card& card : cards) {
+        const glm::dvec3 earth(toEarth * glm::dvec4(place.shift + place.axes * card.center, 1));
+        const glm::dvec3 center = onMap(earth);
+        const auto along = [&](const glm::vec3& side) {
+          const glm::dvec3 way = glm::dmat3(toEarth) * glm::dvec3(place.axes * side);
+          const double length = glm::length(way);
+          return glm::vec3((onMap(earth + way * (kStepMeters / length)) - center) * (length / kStepMeters));
+        };
+        Blob blob = cardBlob(center, along(card.right) / kCardReach, along(card.up) / kCardReach, card.opticalDepth);
+        blob.front = card.front;
+        blob.back = card.back;
+        scene.blobs.push_back(blob);
+      }
   });
+  boundSaturated(scene, 1 - 0.5f / 65535);  // opacities of cards are whole shares of 65535
   return scene;
 }
 

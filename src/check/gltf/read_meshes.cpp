@@ -14,18 +14,25 @@ using nlohmann::json;
 
 constexpr const char* kInstancing = "EXT_mesh_gpu_instancing";
 
-glm::vec3 translationOf(const json& node) {
-  glm::vec3 translation(0);
-  if (node.contains("translation"))
-    for (int axis = 0; axis < 3; ++axis)
-      translation[axis] = node["translation"].at(static_cast<std::size_t>(axis));
-  return translation;
+/// Where a node stands by its translation, rotation and scale.
+MeshPlace placeOf(const json& node) {
+  const auto part = [&](const char* key, std::size_t i, float usual) {
+    return node.contains(key) ? node[key].at(i).get<float>() : usual;
+  };
+  MeshPlace place;
+  place.shift = {part("translation", 0, 0), part("translation", 1, 0), part("translation", 2, 0)};
+  const glm::quat turn(part("rotation", 3, 1), part("rotation", 0, 0), part("rotation", 1, 0),
+                       part("rotation", 2, 0));
+  place.axes = glm::mat3_cast(glm::normalize(turn));
+  for (int axis = 0; axis < 3; ++axis)
+    place.axes[axis] *= part("scale", static_cast<std::size_t>(axis), 1);
+  return place;
 }
 
 std::vector<MeshPlace> placesOf(const GlbParts& glb, const json& node) {
-  const glm::vec3 translation = translationOf(node);
+  const MeshPlace own = placeOf(node);
   const json extensions = node.value("extensions", json::object());
-  if (!extensions.contains(kInstancing)) return {MeshPlace{translation}};
+  if (!extensions.contains(kInstancing)) return {own};
   const json& attributes = extensions[kInstancing].at("attributes");
   const auto column = [&](const char* name, std::size_t components) {
     return attributes.contains(name) ? glb.floats(attributes[name], components) : std::vector<float>{};
@@ -35,15 +42,16 @@ std::vector<MeshPlace> placesOf(const GlbParts& glb, const json& node) {
   for (const auto& [values, components] : {std::pair{&shifts, 3u}, {&turns, 4u}, {&scales, 3u}})
     if (!values->empty() && values->size() != count * components)
       glb.fail("has instances with columns of different lengths");
-  std::vector<MeshPlace> places(count, MeshPlace{translation});
+  std::vector<MeshPlace> places;
   for (std::size_t i = 0; i < count; ++i) {
-    MeshPlace& place = places[i];
+    MeshPlace place;
     if (!shifts.empty()) place.shift += glm::vec3(shifts[3 * i], shifts[3 * i + 1], shifts[3 * i + 2]);
     if (!turns.empty())
       place.axes = glm::mat3_cast(
           glm::normalize(glm::quat(turns[4 * i + 3], turns[4 * i], turns[4 * i + 1], turns[4 * i + 2])));
     for (int axis = 0; axis < 3 && !scales.empty(); ++axis)
       place.axes[axis] *= scales[3 * i + static_cast<std::size_t>(axis)];
+    places.push_back({own.shift + own.axes * place.shift, own.axes * place.axes});
   }
   return places;
 }
@@ -91,8 +99,8 @@ void readPictureMeshes(std::string_view bytes, const std::string& where,
       if (!node.contains("mesh")) continue;
       MeshNode read{partsOf(glb, glb.root().at("meshes").at(node["mesh"].get<std::size_t>())), {}, {}};
       if (read.parts.empty()) continue;
-      for (const char* placing : {"matrix", "rotation", "scale", "children"})
-        if (node.contains(placing)) glb.fail("has a cloud whose node is more than translated");
+      for (const char* placing : {"matrix", "children"})
+        if (node.contains(placing)) glb.fail("has a cloud whose node is placed by a matrix, or has children");
       read.places = placesOf(glb, node);
       read.genus = node.value("extras", json::object()).value("genus", "");
       visit(read);

@@ -38,7 +38,7 @@ struct MeshNode {
   std::string genus;  ///< of its extras; may be empty
 };
 
-/// Hands over the nodes of a GLB file that draw blended pictures; their own placing is a translation. Throws
+/// Hands over the nodes of a GLB file that draw blended pictures; they stand in no other node and are placed by no matrix. Throws
 /// InputError, naming `where`, if the file is something else or reaches outside its bounds.
 void readPictureMeshes(std::string_view bytes, const std::string& where,
                        const std::function<void(const MeshNode&)>& visit);

@@ -60,31 +60,24 @@ ReadSplat posed(ReadSplat splat, const Pose& pose) {
   return splat;
 }
 
-/// The optical depths that a property table tells of the splats of a file, one each; empty if none does.
-std::vector<float> toldOpticalDepths(const GlbParts& glb) {
-  const json metadata =
-      glb.root().value("extensions", json::object()).value("EXT_structural_metadata", json::object());
-  if (!metadata.contains("propertyTables")) return {};
-  const json& table = metadata["propertyTables"].at(0);
-  const json properties = table.value("properties", json::object());
-  if (!properties.contains("logOpticalDepth")) return {};
-  const json& kind = metadata.at("schema").at("classes").at(table.at("class").get<std::string>());
-  const json& property = kind.at("properties").at("logOpticalDepth");
-  if (property.at("componentType") != "UINT8" || property.at("normalized") != true)
-    glb.fail("tells optical depths in a way that is not read");
-  const float offset = property.at("offset"), scale = property.at("scale");
+/// The optical depths that the extras of a node of packed splats tell, one each; empty if none are told.
+std::vector<float> toldOpticalDepths(const GlbParts& glb, const json& node) {
+  const json told = node.value("extras", json::object()).value("opticalDepths", json::object());
+  if (!told.contains("bufferView")) return {};
+  const float offset = told.at("offset"), scale = told.at("scale");
   std::vector<float> depths;
-  for (const char byte : glb.view(properties["logOpticalDepth"].at("values").get<std::size_t>()))
+  for (const char byte : glb.view(told["bufferView"].get<std::size_t>()))
     depths.push_back(std::exp(offset + scale * static_cast<float>(static_cast<unsigned char>(byte)) / 255));
   return depths;
 }
 
 /// A primitive whose columns are packed. Opacities are whole shares of 255, give or take one: what is told of
 /// the optical depth counts where it agrees with them.
-void readPacked(const GlbParts& glb, const json& packed, std::size_t expected, const Pose& pose,
+void readPacked(const GlbParts& glb, const json& node, const json& packed, std::size_t expected,
+                const Pose& pose,
                 const std::function<void(const ReadSplat&)>& visit) {
   constexpr float kMostOpaque = 1 - 0.5f / 255, kAgreeing = 2.5f / 255;
-  const auto told = toldOpticalDepths(glb);
+  const auto told = toldOpticalDepths(glb, node);
   std::size_t at = 0;
   const std::size_t count =
       readPackedSplats(glb.view(packed.at("bufferView")), glb.where(), [&](ReadSplat splat) {
@@ -178,7 +171,7 @@ SplatFile readSplats(std::string_view bytes, const std::string& where,
         const json inner = primitive["extensions"]["KHR_gaussian_splatting"].value("extensions", json::object());
         const json& attributes = primitive.at("attributes");
         if (inner.contains(kPacked))
-          readPacked(glb, inner[kPacked], root.at("accessors").at(attributes.at("POSITION").get<std::size_t>()).at("count"),
+          readPacked(glb, node, inner[kPacked], root.at("accessors").at(attributes.at("POSITION").get<std::size_t>()).at("count"),
                      pose, visit);
         else
           readPrimitive(glb, attributes, pose, visit);

@@ -9,6 +9,7 @@
 #include "base/file.hpp"
 #include "base/geocentric.hpp"
 #include "base/gzip.hpp"
+#include "check/gltf/glb_parts.hpp"
 #include "check/tiles3d/content_path.hpp"
 
 namespace cloudgen::check {
@@ -22,8 +23,8 @@ constexpr std::uint64_t kMostTilesetBytes = 256u << 20, kMostContentBytes = std:
 class Reader {
  public:
   Reader(const std::filesystem::path& file, const base::Progress& progress,
-         const std::function<void(const GlobeSplat&)>& visit)
-      : file_(file), progress_(progress), visit_(visit) {}
+         const std::function<void(const GlobeSplat&)>& visit, const VisitMesh& visitMesh)
+      : file_(file), progress_(progress), visit_(visit), visitMesh_(visitMesh) {}
 
   void read() {
     const json tileset = json::parse(plain(file_, kMostTilesetBytes));
@@ -59,7 +60,16 @@ class Reader {
     const std::string path = contentPath(uri);
     if (path.empty()) fail("names a content that is no path within its folder");
     const auto file = file_.parent_path() / path;
-    readSplats(plain(file, kMostContentBytes), file.string(), [&](const ReadSplat& splat) {
+    const std::string bytes = plain(file, kMostContentBytes);
+    if (!holdsSplats(bytes, file.string())) {
+      // From y up to z up, as 3D Tiles take glTF.
+      const glm::dmat4 upright(1, 0, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1);
+      readPictureMeshes(bytes, file.string(), [&](const MeshNode& node) {
+        if (visitMesh_) visitMesh_(node, toEarth * upright);
+      });
+      return;
+    }
+    readSplats(bytes, file.string(), [&](const ReadSplat& splat) {
       GlobeSplat out;
       out.center = glm::dvec3(toEarth * glm::dvec4(base::zUp(splat.center), 1));
       const glm::mat3 axes = glm::mat3_cast(glm::normalize(splat.rotation));
@@ -71,16 +81,23 @@ class Reader {
     });
   }
 
+  static bool holdsSplats(std::string_view bytes, const std::string& where) {
+    const GlbParts glb(bytes, where, "is it binary glTF?");
+    const json used = glb.root().value("extensionsUsed", json::array());
+    return std::find(used.begin(), used.end(), "KHR_gaussian_splatting") != used.end();
+  }
+
   const std::filesystem::path& file_;
   const base::Progress& progress_;
   const std::function<void(const GlobeSplat&)>& visit_;
+  const VisitMesh& visitMesh_;
 };
 
 }  // namespace
 
 void readTiles(const std::filesystem::path& file, const base::Progress& progress,
-               const std::function<void(const GlobeSplat&)>& visit) {
-  Reader reader(file, progress, visit);
+               const std::function<void(const GlobeSplat&)>& visit, const VisitMesh& visitMesh) {
+  Reader reader(file, progress, visit, visitMesh);
   try {
     reader.read();
   } catch (const json::exception& error) {

@@ -1,15 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "writer/gltf/card_mesh.hpp"
 
+#include <algorithm>
 #include <array>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <numbers>
+
+#include "shape/blending.hpp"
+#include "writer/gltf/splat.hpp"
 
 namespace cloudgen::writer::gltf {
 namespace {
 
-constexpr float kReachInSigmas = 2.0f;
-constexpr float kCardsMet = 2.0f;
+constexpr float kSpriteReach = 2.2f;  ///< half-side of a sprite, in its standard deviations
+/// Of the sprite's Gaussian within its border: erf(2.2 / sqrt 2) squared.
+constexpr float kWithinBorder = 0.9451f;
+/// Upright cards, two of them met by a level look.
+constexpr float kUprightShare = 0.5f;
 constexpr int kCells = 2;
 
 /// The colour of the light at a place: of the archetype's puffs, weighted by how much of each is there.
@@ -34,26 +42,54 @@ std::uint16_t toShort(float unit) {
 
 }  // namespace
 
+std::array<Card, 3> cardsOf(const shape::Puff& puff, float opticalDepthFactor) {
+  constexpr float kCovering = 0.07f;  // few overlap
+  // (right, up) axes: facing the puff's z, facing its x, lying.
+  constexpr std::array<std::pair<int, int>, 3> kPlanes{{{0, 1}, {2, 1}, {0, 2}}};
+  const glm::mat3 axes = glm::mat3_cast(puff.rotation);
+  const auto upwards = [&](std::size_t plane) {
+    return std::abs(axes[3 - kPlanes[plane].first - kPlanes[plane].second].y);
+  };
+  const auto shownUpwards = [&](std::size_t plane) {
+    return puff.sigma[kPlanes[plane].first] * puff.sigma[kPlanes[plane].second] * upwards(plane);
+  };
+  std::size_t lying = 0;
+  for (std::size_t plane = 1; plane < 3; ++plane)
+    if (upwards(plane) > upwards(lying)) lying = plane;
+
+  const float standing = kUprightShare * opticalDepthFactor * shape::frontalOpticalDepth(puff);
+  double left = opticalDepthFactor * shape::extinctionArea(puff) / (2 * std::numbers::pi * kWithinBorder);
+  std::array<Card, 3> cards;
+  for (std::size_t plane = 0; plane < 3; ++plane) {
+    const auto& [right, up] = kPlanes[plane];
+    const float reach = kSpriteReach;
+    cards[plane] = {puff.center, reach * puff.sigma[right] * axes[right], reach * puff.sigma[up] * axes[up],
+                    standing, plane != lying};
+    if (plane != lying) left -= static_cast<double>(standing * shownUpwards(plane));
+  }
+  Card& flat = cards[lying];
+  const float whole = static_cast<float>(left) / shownUpwards(lying);
+  const float widening = shape::blendedWidening(whole, kCovering);
+  flat.opticalDepth = whole / (widening * widening);
+  flat.right *= widening;
+  flat.up *= widening;
+  return cards;
+}
+
 CardMesh cardsOf(const scene::Archetype& archetype, const scene::LitArchetype& lit, float opticalDepthFactor,
                  const image::SpriteAtlas& atlas) {
-  // (right, up) axes of the three cards: facing z, facing x, lying.
-  static constexpr std::array<std::pair<int, int>, 3> kPlanes{{{0, 1}, {2, 1}, {0, 2}}};
   CardMesh mesh;
   for (std::size_t p = 0; p < archetype.farPuffs.size(); ++p) {
     const shape::Puff& puff = archetype.farPuffs[p];
-    const glm::mat3 axes = glm::mat3_cast(puff.rotation);
     const glm::vec4 box = atlas.textureBox(puff.sprite % atlas.tiles());
     const float blurMeters = 0.7f * std::cbrt(puff.sigma.x * puff.sigma.y * puff.sigma.z);
-    const float opticalDepth = shape::frontalOpticalDepth(puff) * opticalDepthFactor / kCardsMet;
-    const float alpha = -std::expm1(-opticalDepth);
-    for (const auto& [right, up] : kPlanes) {
+    for (const Card& card : cardsOf(puff, opticalDepthFactor)) {
+      const float alpha = -std::expm1(-card.opticalDepth);
       const auto first = static_cast<std::uint32_t>(mesh.positions.size() / 3);
       for (int row = 0; row <= kCells; ++row)
         for (int column = 0; column <= kCells; ++column) {
           const float u = static_cast<float>(column) / kCells, v = static_cast<float>(row) / kCells;
-          const glm::vec3 place =
-              puff.center + kReachInSigmas * ((2 * u - 1) * puff.sigma[right] * axes[right] +
-                                              (2 * v - 1) * puff.sigma[up] * axes[up]);
+          const glm::vec3 place = card.center + (2 * u - 1) * card.right + (2 * v - 1) * card.up;
           mesh.positions.insert(mesh.positions.end(), {place.x, place.y, place.z});
           mesh.textureBoxes.insert(mesh.textureBoxes.end(),
                                    {glm::mix(box.x, box.z, u), 1 - glm::mix(box.y, box.w, v)});
@@ -62,7 +98,7 @@ CardMesh cardsOf(const scene::Archetype& archetype, const scene::LitArchetype& l
               lightAt(archetype, lit, glm::mix(puff.center, place, 0.5f), blurMeters, lit.farPuffs[p].color);
           mesh.colors.insert(mesh.colors.end(),
                              {toShort(color.x), toShort(color.y), toShort(color.z), toShort(alpha)});
-          mesh.opticalDepths.push_back(opticalDepth);
+          mesh.opticalDepths.push_back(card.opticalDepth);
         }
       for (std::uint32_t row = 0; row < kCells; ++row)
         for (std::uint32_t column = 0; column < kCells; ++column) {
@@ -73,6 +109,26 @@ CardMesh cardsOf(const scene::Archetype& archetype, const scene::LitArchetype& l
     }
   }
   return mesh;
+}
+
+CardColumns addCardColumns(GlbFile& file, const CardMesh& mesh) {
+  std::vector<std::uint16_t> textureBoxes;
+  for (const float coordinate : mesh.textureBoxes) textureBoxes.push_back(toShort(coordinate));
+  CardColumns columns;
+  columns.attributes = {{"POSITION", file.addFloats(3, mesh.positions, true)},
+                        {"TEXCOORD_0", file.addUnitShorts(2, textureBoxes)}};
+  if (std::ranges::any_of(mesh.opticalDepths, [](float depth) { return depth > kOpaqueOpticalDepth; }))
+    columns.attributes.emplace_back("_OPTICAL_DEPTH", file.addFloats(1, mesh.opticalDepths));
+  columns.indices = file.addIndices(mesh.indices);
+  return columns;
+}
+
+int addCardMesh(GlbFile& file, const std::string& name, const CardColumns& columns, const CardMesh& mesh,
+                int material) {
+  Attributes attributes = columns.attributes;
+  attributes.emplace_back("COLOR_0", file.addUnitShorts(4, mesh.colors));
+  return file.addMesh(
+      name, {.attributes = std::move(attributes), .indices = columns.indices, .material = material});
 }
 
 }  // namespace cloudgen::writer::gltf

@@ -1,13 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "image/sprite_atlas.hpp"
 #include "scene/scene.hpp"
+#include "writer/gltf/glb_file.hpp"
 
 namespace cloudgen::writer::gltf {
+
+/// A rectangle with a sprite.
+struct Card {
+  glm::vec3 center{0}, right{0}, up{0};  ///< half-sides, 2.2 standard deviations of the sprite long
+  float opticalDepth = 0;                ///< of its centre
+  bool upright = false;                  ///< not the one of the three that lies
+};
+
+/// Three mutually perpendicular cards of a puff. Seen from straight above they hold the extinction of the puff
+/// (times `opticalDepthFactor`), the lying one wider where it is dense (shape::blendedWidening); each upright one
+/// has half of the optical depth of the puff at its broadest, as a level look meets two.
+std::array<Card, 3> cardsOf(const shape::Puff& puff, float opticalDepthFactor);
 
 /// A triangle mesh in an archetype's own axes, as columns ready for glTF.
 struct CardMesh {
@@ -18,11 +32,22 @@ struct CardMesh {
   std::vector<std::uint32_t> indices;  ///< triangles
 };
 
-/// Three mutually perpendicular cards a far puff, each a grid of 2 x 2 cells that reaches two standard
-/// deviations, with the puff's sprite. Vertices take the light of the puffs around them, so a card is bright
-/// on top and dark below as the cloud is. The alpha shares a puff's optical depth (times
-/// `opticalDepthFactor`) among the two cards that a look through it meets on average.
+/// The three cards of every far puff, each a grid of 2 x 2 cells with the puff's sprite. Vertices take the light
+/// of the puffs around them, so a card is bright on top and dark below as the cloud is.
 CardMesh cardsOf(const scene::Archetype& archetype, const scene::LitArchetype& lit, float opticalDepthFactor,
                  const image::SpriteAtlas& atlas);
+
+/// What meshes of the same cards share whatever light is on them.
+struct CardColumns {
+  Attributes attributes;
+  int indices = -1;
+};
+
+/// Adds all but the colours; with _OPTICAL_DEPTH, if a card is denser than its alpha tells.
+CardColumns addCardColumns(GlbFile& file, const CardMesh& mesh);
+
+/// Adds the colours and the mesh.
+int addCardMesh(GlbFile& file, const std::string& name, const CardColumns& columns, const CardMesh& mesh,
+                int material);
 
 }  // namespace cloudgen::writer::gltf

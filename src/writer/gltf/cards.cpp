@@ -2,6 +2,7 @@
 #include <glm/common.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "base/data_dir.hpp"
 #include "base/file.hpp"
@@ -11,7 +12,6 @@
 #include "writer/gltf/glb_file.hpp"
 #include "writer/gltf/gltf.hpp"
 #include "writer/gltf/scene_extras.hpp"
-#include "writer/gltf/splat.hpp"
 
 namespace cloudgen::writer {
 namespace {
@@ -55,22 +55,18 @@ std::vector<std::vector<std::uint32_t>> instancesByLight(const scene::Scene& sce
   return groups;
 }
 
-/// Cards of one mesh have one alpha: that of their instances' mean optical-depth factor.
-float meanFactor(const scene::Scene& scene, const std::vector<std::uint32_t>& instances) {
-  double sum = 0;
-  for (const std::uint32_t i : instances) sum += scene.instances[i].opticalDepthFactor;
-  return static_cast<float>(sum / static_cast<double>(instances.size()));
-}
-
-int addCardMesh(GlbFile& file, const std::string& name, const CardMesh& mesh, int material) {
-  Attributes attributes{{"POSITION", file.addFloats(3, mesh.positions, true)},
-                        {"TEXCOORD_0", file.addFloats(2, mesh.textureBoxes)},
-                        {"COLOR_0", file.addUnitShorts(mesh.colors)}};
-  if (std::ranges::any_of(mesh.opticalDepths, [](float depth) { return depth > kOpaqueOpticalDepth; }))
-    attributes.emplace_back("_OPTICAL_DEPTH", file.addFloats(1, mesh.opticalDepths));
-  return file.addMesh(name, {.attributes = std::move(attributes),
-                             .indices = file.addIndices(mesh.indices),
-                             .material = material});
+/// The cards of an archetype have one alpha under all headings: that of its clouds' mean optical-depth factor,
+/// each by the area that it covers.
+std::vector<float> meanFactors(const scene::Scene& scene) {
+  std::vector<glm::dvec2> sums(scene.archetypes.size(), glm::dvec2(0));
+  for (const scene::Instance& cloud : scene.instances) {
+    const double area = static_cast<double>(cloud.scale) * static_cast<double>(cloud.scale);
+    sums[scene.lit[cloud.lit].archetype] +=
+        glm::dvec2(area * static_cast<double>(cloud.opticalDepthFactor), area);
+  }
+  std::vector<float> factors;
+  for (const glm::dvec2& sum : sums) factors.push_back(sum.y > 0 ? static_cast<float>(sum.x / sum.y) : 1);
+  return factors;
 }
 
 /// The middle of the instances in whole metres: places relative to it keep their precision.
@@ -109,13 +105,43 @@ Attributes addPlaces(GlbFile& file, const scene::Scene& scene, const std::vector
 
 /// What the clouds of a node are, in the order of the node's instances.
 nlohmann::json cloudExtras(const scene::Scene& scene, const scene::Archetype& archetype,
-                           const std::vector<std::uint32_t>& instances) {
+                           std::span<const std::uint32_t> instances) {
   nlohmann::json ids = nlohmann::json::array();
   for (const std::uint32_t i : instances)
     if (i < scene.clouds.size()) ids.push_back(std::to_string(scene.clouds[i].id));
   return {{"genus", base::abbreviation(archetype.genus)},
           {"archetype", archetype.name},
           {"clouds", std::move(ids)}};
+}
+
+/// One node for all clouds of a mesh.
+void addInstanced(GlbFile& file, const scene::Scene& scene, const std::string& name, int mesh,
+                  const std::vector<std::uint32_t>& instances) {
+  const scene::LitArchetype& lit = scene.lit[scene.instances[instances.front()].lit];
+  const glm::dvec3 middle = middleOf(scene, instances);
+  const nlohmann::json extras = cloudExtras(scene, scene.archetypes[lit.archetype], instances);
+  file.addNode({.name = name,
+                .mesh = mesh,
+                .translation = middle,
+                .extras = &extras,
+                .instancing = addPlaces(file, scene, instances, middle)});
+}
+
+/// A node a cloud. Core glTF has no colour of a node: clouds in the shadow of others are as bright as all.
+void addSingly(GlbFile& file, const scene::Scene& scene, const std::string& name, int mesh,
+               const std::vector<std::uint32_t>& instances) {
+  for (const std::uint32_t i : instances) {
+    const scene::Instance& cloud = scene.instances[i];
+    const scene::LitArchetype& lit = scene.lit[cloud.lit];
+    const nlohmann::json extras =
+        cloudExtras(scene, scene.archetypes[lit.archetype], std::span(&i, 1));
+    file.addNode({.name = name,
+                  .mesh = mesh,
+                  .translation = glm::dvec3(cloud.position),
+                  .rotation = glm::angleAxis(scene::yawRadians(lit.yawStep), glm::vec3(0, 1, 0)),
+                  .scale = static_cast<double>(cloud.scale),
+                  .extras = &extras});
+  }
 }
 
 /// The ground as a mesh; its colours hold sun, height and shadows, as it is unlit.
@@ -139,7 +165,7 @@ void addGround(GlbFile& file, const scene::Scene& scene) {
     }
   const int mesh = file.addMesh("ground", {.attributes = {{"POSITION", file.addFloats(3, positions, true)},
                                                           {"NORMAL", file.addFloats(3, normals)},
-                                                          {"COLOR_0", file.addUnitShorts(colors)}},
+                                                          {"COLOR_0", file.addUnitShorts(4, colors)}},
                                            .indices = file.addIndices(base::trianglesOf(terrain)),
                                            .material = file.addPlainMaterial("ground", glm::vec3(1))});
   file.addNode({.name = "ground", .mesh = mesh, .translation = {middle.x, 0, middle.y}});
@@ -152,6 +178,8 @@ void writeCards(const scene::Scene& scene, const Destination& destination) {
   GenusMaterials materials(file);
   addGround(file, scene);
   const auto groups = instancesByLight(scene);
+  const auto factors = meanFactors(scene);
+  std::vector<std::optional<CardColumns>> columns(scene.archetypes.size());
   for (std::size_t g = 0; g < groups.size(); ++g) {
     destination.progress.step("glb", static_cast<double>(g) / static_cast<double>(groups.size()));
     const scene::LitArchetype& lit = scene.lit[g];
@@ -159,15 +187,11 @@ void writeCards(const scene::Scene& scene, const Destination& destination) {
     if (groups[g].empty() || archetype.farPuffs.empty()) continue;
     const std::string name = fmt::format("{} heading {}", archetype.name, lit.yawStep);
     const CardMesh cards =
-        cardsOf(archetype, lit, meanFactor(scene, groups[g]), materials.atlas(archetype.genus));
-    const int mesh = addCardMesh(file, name, cards, materials.material(archetype.genus));
-    const glm::dvec3 middle = middleOf(scene, groups[g]);
-    const nlohmann::json extras = cloudExtras(scene, archetype, groups[g]);
-    file.addNode({.name = name,
-                  .mesh = mesh,
-                  .translation = middle,
-                  .extras = &extras,
-                  .instancing = addPlaces(file, scene, groups[g], middle)});
+        cardsOf(archetype, lit, factors[lit.archetype], materials.atlas(archetype.genus));
+    auto& shared = columns[lit.archetype];
+    if (!shared) shared = addCardColumns(file, cards);
+    const int mesh = addCardMesh(file, name, *shared, cards, materials.material(archetype.genus));
+    (destination.cards.singly ? addSingly : addInstanced)(file, scene, name, mesh, groups[g]);
   }
   file.write(destination.folder / "scene.glb");
   destination.progress.step("glb", 1);

@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "base/error.hpp"
-#include "base/file.hpp"
+#include "base/growing_file.hpp"
 
 namespace cloudgen::writer::gltf {
 namespace {
@@ -66,9 +66,25 @@ int indexOfLast(const std::vector<T>& parts) {
 
 }  // namespace
 
+/// Bytes of the binary data: as they are, or made when they are written.
+struct Piece {
+  std::string bytes;
+  std::uint64_t length = 0;
+  std::function<void(std::span<char>)> fill;
+};
+
 struct GlbFile::Parts {
   tinygltf::Model model;  // without its buffer: see write()
-  std::string binary;
+  std::vector<Piece> pieces;
+  std::uint64_t binaryBytes = 0;
+  std::map<std::vector<std::uint32_t>, int> indices;  // accessors of those that are there
+
+  void append(std::string_view bytes) {
+    if (pieces.empty() || pieces.back().fill) pieces.emplace_back();
+    pieces.back().bytes.append(bytes);
+    binaryBytes += bytes.size();
+  }
+  void pad() { append(std::string_view("\0\0\0", (4 - binaryBytes % 4) % 4)); }
 };
 
 GlbFile::GlbFile(const nlohmann::json& assetExtras) : parts_(std::make_unique<Parts>()) {
@@ -82,64 +98,96 @@ GlbFile::GlbFile(const nlohmann::json& assetExtras) : parts_(std::make_unique<Pa
 
 GlbFile::~GlbFile() = default;
 
-void GlbFile::reserve(std::uint64_t bytes) { parts_->binary.reserve(bytes); }
-
 int GlbFile::addView(const void* bytes, std::size_t count, int target) {
-  std::string& binary = parts_->binary;
-  binary.resize((binary.size() + 3) / 4 * 4, '\0');
+  parts_->pad();
   tinygltf::BufferView view;
   view.buffer = 0;
-  view.byteOffset = binary.size();
+  view.byteOffset = parts_->binaryBytes;
   view.byteLength = count;
   view.target = target;
-  binary.append(static_cast<const char*>(bytes), count);
+  parts_->append({static_cast<const char*>(bytes), count});
   parts_->model.bufferViews.push_back(std::move(view));
   return indexOfLast(parts_->model.bufferViews);
 }
 
+std::uint64_t GlbFile::addBlock(std::uint64_t bytes, std::function<void(std::span<char>)> fill) {
+  parts_->pad();
+  const std::uint64_t start = parts_->binaryBytes;
+  parts_->pieces.push_back({{}, bytes, std::move(fill)});
+  parts_->binaryBytes += bytes;
+  return start;
+}
+
+int GlbFile::addColumn(const Column& column) {
+  const int width = tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(column.component));
+  const int tight = width * column.components;
+  tinygltf::BufferView view;
+  view.buffer = 0;
+  view.byteOffset = column.start;
+  view.byteStride = static_cast<std::size_t>(column.stride);
+  view.byteLength = column.count * static_cast<std::size_t>(column.stride ? column.stride : tight);
+  view.target = TINYGLTF_TARGET_ARRAY_BUFFER;
+  parts_->model.bufferViews.push_back(std::move(view));
+  tinygltf::Accessor accessor;
+  accessor.bufferView = indexOfLast(parts_->model.bufferViews);
+  accessor.componentType = static_cast<int>(column.component);
+  accessor.type = kTypes[static_cast<std::size_t>(column.components)];
+  accessor.normalized = column.normalized;
+  accessor.count = column.count;
+  accessor.minValues = column.least;
+  accessor.maxValues = column.most;
+  parts_->model.accessors.push_back(std::move(accessor));
+  return indexOfLast(parts_->model.accessors);
+}
+
 int GlbFile::addFloats(int components, std::span<const float> values, bool withBounds) {
-  tinygltf::Accessor accessor;
-  accessor.bufferView = addView(values.data(), values.size_bytes(), TINYGLTF_TARGET_ARRAY_BUFFER);
-  accessor.componentType = TINYGLTF_COMPONENT_TYPE_FLOAT;
-  accessor.type = kTypes[static_cast<std::size_t>(components)];
+  const int view = addView(values.data(), values.size_bytes(), TINYGLTF_TARGET_ARRAY_BUFFER);
   const auto width = static_cast<std::size_t>(components);
-  accessor.count = values.size() / width;
-  if (withBounds) {
-    accessor.minValues.assign(width, std::numeric_limits<double>::max());
-    accessor.maxValues.assign(width, std::numeric_limits<double>::lowest());
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      accessor.minValues[i % width] = std::min<double>(accessor.minValues[i % width], values[i]);
-      accessor.maxValues[i % width] = std::max<double>(accessor.maxValues[i % width], values[i]);
-    }
+  const int index = addAccessor(view, TINYGLTF_COMPONENT_TYPE_FLOAT, components, values.size() / width);
+  if (!withBounds) return index;
+  auto& accessor = parts_->model.accessors.back();
+  accessor.minValues.assign(width, std::numeric_limits<double>::max());
+  accessor.maxValues.assign(width, std::numeric_limits<double>::lowest());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    accessor.minValues[i % width] = std::min<double>(accessor.minValues[i % width], values[i]);
+    accessor.maxValues[i % width] = std::max<double>(accessor.maxValues[i % width], values[i]);
   }
-  parts_->model.accessors.push_back(std::move(accessor));
-  return indexOfLast(parts_->model.accessors);
+  return index;
 }
 
-int GlbFile::addIntegers(const void* bytes, std::size_t count, int width, int type, int target) {
+int GlbFile::addAccessor(int view, int componentType, int components, std::size_t count) {
   tinygltf::Accessor accessor;
-  accessor.componentType = width == 1   ? TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE
-                           : width == 2 ? TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT
-                                        : TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
-  accessor.bufferView = addView(bytes, count * static_cast<std::size_t>(width), target);
-  accessor.type = type;
-  accessor.normalized = type == TINYGLTF_TYPE_VEC4;
-  accessor.count = type == TINYGLTF_TYPE_VEC4 ? count / 4 : count;
+  accessor.bufferView = view;
+  accessor.componentType = componentType;
+  accessor.type = kTypes[static_cast<std::size_t>(components)];
+  accessor.count = count;
   parts_->model.accessors.push_back(std::move(accessor));
   return indexOfLast(parts_->model.accessors);
 }
 
-int GlbFile::addUnitBytes(std::span<const std::uint8_t> values) {
-  return addIntegers(values.data(), values.size(), 1, TINYGLTF_TYPE_VEC4, TINYGLTF_TARGET_ARRAY_BUFFER);
-}
-
-int GlbFile::addUnitShorts(std::span<const std::uint16_t> values) {
-  return addIntegers(values.data(), values.size(), 2, TINYGLTF_TYPE_VEC4, TINYGLTF_TARGET_ARRAY_BUFFER);
+int GlbFile::addUnitShorts(int components, std::span<const std::uint16_t> values) {
+  const int view = addView(values.data(), values.size_bytes(), TINYGLTF_TARGET_ARRAY_BUFFER);
+  const int accessor = addAccessor(view, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, components,
+                                   values.size() / static_cast<std::size_t>(components));
+  parts_->model.accessors.back().normalized = true;
+  return accessor;
 }
 
 int GlbFile::addIndices(std::span<const std::uint32_t> values) {
-  return addIntegers(values.data(), values.size(), 4, TINYGLTF_TYPE_SCALAR,
-                     TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
+  const auto [found, isNew] = parts_->indices.try_emplace({values.begin(), values.end()}, 0);
+  if (!isNew) return found->second;
+  constexpr int kTarget = TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER;
+  // 65535 is left out: it restarts primitives.
+  const bool isSmall = std::ranges::all_of(values, [](std::uint32_t index) { return index < 65535; });
+  if (isSmall) {
+    const std::vector<std::uint16_t> shorts(values.begin(), values.end());
+    found->second = addAccessor(addView(shorts.data(), shorts.size() * sizeof(std::uint16_t), kTarget),
+                                TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, 1, values.size());
+  } else {
+    found->second = addAccessor(addView(values.data(), values.size_bytes(), kTarget),
+                                TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, 1, values.size());
+  }
+  return found->second;
 }
 
 int GlbFile::addUnpacked(int components, std::size_t count, bool unitBytes) {
@@ -163,6 +211,23 @@ int GlbFile::addUnpackedPositions(std::size_t count, const glm::dvec3& lower, co
 int GlbFile::addBytes(std::string_view bytes) { return addView(bytes.data(), bytes.size(), 0); }
 
 int GlbFile::addPngTexture(const std::string& name, std::string_view png) {
+  tinygltf::Image image;
+  image.name = name;
+  image.mimeType = "image/png";
+  image.bufferView = addView(png.data(), png.size(), 0);
+  parts_->model.images.push_back(std::move(image));
+  return addTextureOfLastImage();
+}
+
+int GlbFile::addTexture(const std::string& name, const std::string& uri) {
+  tinygltf::Image image;
+  image.name = name;
+  image.uri = uri;
+  parts_->model.images.push_back(std::move(image));
+  return addTextureOfLastImage();
+}
+
+int GlbFile::addTextureOfLastImage() {
   auto& model = parts_->model;
   if (model.samplers.empty()) {
     tinygltf::Sampler sampler;
@@ -172,11 +237,6 @@ int GlbFile::addPngTexture(const std::string& name, std::string_view png) {
     sampler.wrapS = sampler.wrapT = TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE;
     model.samplers.push_back(sampler);
   }
-  tinygltf::Image image;
-  image.name = name;
-  image.mimeType = "image/png";
-  image.bufferView = addView(png.data(), png.size(), 0);
-  model.images.push_back(std::move(image));
   tinygltf::Texture texture;
   texture.sampler = 0;
   texture.source = indexOfLast(model.images);
@@ -228,6 +288,9 @@ int GlbFile::addNode(const Node& node) {
                   node.translation.x, node.translation.y, node.translation.z, 1};
   else if (node.translation != glm::dvec3(0))
     out.translation = {node.translation.x, node.translation.y, node.translation.z};
+  if (node.rotation != glm::quat(1, 0, 0, 0))
+    out.rotation = {node.rotation.x, node.rotation.y, node.rotation.z, node.rotation.w};
+  if (node.scale != 1) out.scale = {node.scale, node.scale, node.scale};
   if (node.extras) out.extras = valueOf(*node.extras);
   if (!node.instancing.empty()) {
     out.extensions[kInstancing] = attributesValue(node.instancing);
@@ -248,26 +311,18 @@ void GlbFile::useExtension(const std::string& name, bool required) {
   if (required) addOnce(parts_->model.extensionsRequired);
 }
 
-void GlbFile::addExtension(const std::string& name, const nlohmann::json& value) {
-  parts_->model.extensions[name] = valueOf(value);
-  useExtension(name, false);
-}
-
-std::uint64_t GlbFile::binaryBytes() const { return parts_->binary.size(); }
-
-// tinygltf makes the JSON; the container around it is made here. tinygltf 2.7 keeps the binary data twice
-// while it writes a GLB (the model's buffer and a copy of it) and does not look whether the stream took the
-// bytes.
+// tinygltf makes the JSON; the container around it is made here, with data that need not be there yet. tinygltf
+// 2.7 keeps the binary data twice while it writes a GLB and does not look whether the stream took the bytes.
 void GlbFile::write(const std::filesystem::path& file) const {
   std::ostringstream stream;
   tinygltf::TinyGLTF().WriteGltfSceneToStream(&parts_->model, stream, false, false);
   auto document = nlohmann::json::parse(stream.str());
-  if (!parts_->binary.empty()) document["buffers"][0]["byteLength"] = parts_->binary.size();
+  const std::uint64_t binaryBytes = parts_->binaryBytes;
+  if (binaryBytes > 0) document["buffers"][0]["byteLength"] = binaryBytes;
   std::string json = document.dump();
   json.resize((json.size() + 3) / 4 * 4, ' ');
 
-  const std::uint64_t padding = (4 - parts_->binary.size() % 4) % 4,
-                      binaryLength = parts_->binary.size() + padding;
+  const std::uint64_t padding = (4 - binaryBytes % 4) % 4, binaryLength = binaryBytes + padding;
   const std::uint64_t total = 12 + 8 + json.size() + (binaryLength ? 8 + binaryLength : 0);
   if (total > std::numeric_limits<std::uint32_t>::max())
     throw base::OutputError(file.string(), fmt::format("would have {} bytes, over the 4 GiB of a GLB", total),
@@ -277,14 +332,25 @@ void GlbFile::write(const std::filesystem::path& file) const {
   append32(head, total);
   append32(head, json.size());
   head += "JSON";
-  std::string binaryHead;
+  head += json;
   if (binaryLength) {
-    append32(binaryHead, binaryLength);
-    binaryHead += std::string_view("BIN\0", 4);
+    append32(head, binaryLength);
+    head += std::string_view("BIN\0", 4);
   }
-  const std::array<std::string_view, 5> pieces{head, json, binaryHead, parts_->binary,
-                                               std::string_view("\0\0\0", padding)};
-  base::writeFile(file, pieces);
+  base::GrowingFile out(file);
+  out.append(head);
+  std::vector<char> made;
+  for (const Piece& piece : parts_->pieces) {
+    if (piece.fill) {
+      made.resize(piece.length);
+      piece.fill(made);
+      out.append({made.data(), made.size()});
+    } else {
+      out.append(piece.bytes);
+    }
+  }
+  out.append(std::string_view("\0\0\0", padding));
+  out.commit();
 }
 
 }  // namespace cloudgen::writer::gltf

@@ -12,7 +12,8 @@ namespace cloudgen::writer {
 void writeSplats(const scene::Scene& scene, const Destination& destination);
 
 /// Writes scene.glb: glTF 2.0 without splats. One mesh of crossed, textured, unlit cards a lit archetype,
-/// placed by EXT_mesh_gpu_instancing, whose attribute _COLOR_0 dims clouds in the shadow of others; sprite
+/// placed by EXT_mesh_gpu_instancing, whose attribute _COLOR_0 dims clouds in the shadow of others (or by a node a
+/// cloud: CardOptions); sprite
 /// atlases from base::dataDir()/textures are embedded; a node "ground" is the ground with its shadows. Throws InputError if a texture is missing, OutputError as above.
 void writeCards(const scene::Scene& scene, const Destination& destination);
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <glm/common.hpp>
+#include <numbers>
 
 #include "light/color.hpp"
 
@@ -40,9 +41,20 @@ Splat splatOf(const shape::Puff& puff, const light::PuffLight& light, const ligh
   return splat;
 }
 
-std::array<float, 3> harmonicsTowards(glm::vec3 direction) {
+std::array<float, 8> harmonicsTowards(glm::vec3 direction) {
   constexpr float kHarmonic1 = 0.4886025119029199f;
-  return {-direction.y / kHarmonic1, direction.z / kHarmonic1, -direction.x / kHarmonic1};
+  // The Legendre polynomial of mu is 4 pi / 5 times the sum of products of harmonics; degree 1 has half of what
+  // is added, degree 2 5/16.
+  constexpr float kHalfPi = std::numbers::pi_v<float> / 2;
+  const auto [x, y, z] = std::array{direction.x, direction.y, direction.z};
+  return {-y / kHarmonic1,
+          z / kHarmonic1,
+          -x / kHarmonic1,
+          kHalfPi * 1.0925484305920792f * x * y,
+          kHalfPi * -1.0925484305920792f * y * z,
+          kHalfPi * 0.31539156525252005f * (2 * z * z - x * x - y * y),
+          kHalfPi * -1.0925484305920792f * x * z,
+          kHalfPi * 0.5462742152960396f * (x * x - y * y)};
 }
 
 std::uint64_t mortonOf(glm::vec3 place, glm::vec3 lower, float metersPerStep) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
@@ -34,9 +35,10 @@ float splatOpacity(const shape::Puff& placedPuff);
 /// The splat of a puff that is shape::widenedAcross and lit.
 Splat splatOf(const shape::Puff& widenedPuff, const light::PuffLight& light, const light::Sun& sun);
 
-/// Factors of the degree-1 coefficients for light that grows with the cosine between view and `direction`:
-/// the basis is -y, +z, -x of the direction from the camera to the splat (Condon-Shortley sign).
-std::array<float, 3> harmonicsTowards(glm::vec3 direction);
+/// Factors of the coefficients of degrees 1 (three) and 2 (five), in the order and with the signs of
+/// KHR_gaussian_splatting, for what Splat::towardsSun tells: half of max(0, mu) in degree 1 and 5/16 of it in
+/// degree 2 (least squares over the sphere), mu the cosine between the look and `direction`.
+std::array<float, 8> harmonicsTowards(glm::vec3 direction);
 
 /// The constant of degree 0: colour = this * coefficient + 0.5.
 inline constexpr float kHarmonic0 = 0.2820947917738781f;

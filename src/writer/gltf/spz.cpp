@@ -12,7 +12,7 @@ namespace cloudgen::writer::gltf {
 namespace {
 
 constexpr std::uint32_t kMagic = 0x5053474e, kVersion = 2;
-constexpr int kDegree = 1, kMostFractionalBits = 23;
+constexpr int kMostFractionalBits = 23;
 constexpr double kMostFixed = (1 << 23) - 1;
 
 template <class Unsigned>
@@ -64,15 +64,17 @@ class OpacityBytes {
 
 }  // namespace
 
-std::string packedSplats(std::span<const Splat> splats, glm::vec3 sunDirection, double metersPerUnit) {
+std::string packedSplats(std::span<const Splat> splats, glm::vec3 sunDirection, double metersPerUnit,
+                         int degree) {
   const int bits = fractionalBits(splats, metersPerUnit);
   const double steps = std::ldexp(1 / metersPerUnit, bits);
-  const auto towardsSun = harmonicsTowards(sunDirection);
+  const auto all = harmonicsTowards(sunDirection);
+  const auto towardsSun = std::span(all).first(static_cast<std::size_t>(degree * (degree + 2)));
   std::string out, opacities, colors, scales, rotations, harmonics;
   append(out, kMagic, 4);
   append(out, kVersion, 4);
   append(out, static_cast<std::uint32_t>(splats.size()), 4);
-  for (const int byte : {kDegree, bits, 0, 0}) out += static_cast<char>(byte);
+  for (const int byte : {degree, bits, 0, 0}) out += static_cast<char>(byte);
   OpacityBytes opacityByte;
   for (const Splat& splat : splats) {
     glm::vec3 sigma(0);

@@ -54,11 +54,14 @@ std::size_t countAt(const Loss& loss, double scale, double errorMeters) {
 using CellKey = std::tuple<std::int64_t, std::int64_t, std::int64_t>;
 
 CellKey cellOf(const glm::vec3& place, double cellMeters) {
-  const auto whole = [](double value, double step) { return static_cast<std::int64_t>(std::floor(value / step)); };
+  const auto whole = [](double value, double step) {
+    return static_cast<std::int64_t>(std::floor(value / step));
+  };
   return {whole(place.y, kBandMeters), whole(place.z, cellMeters), whole(place.x, cellMeters)};
 }
 
-light::PuffLight lightOf(const scene::Scene& scene, const scene::Instance& cloud, const light::PuffLight& own) {
+light::PuffLight lightOf(const scene::Scene& scene, const scene::Instance& cloud,
+                         const light::PuffLight& own) {
   return light::inShadow(own, cloud.sunlight, scene.sun.color, scene.sky);
 }
 
@@ -66,7 +69,7 @@ LitPuff onePuffOf(const scene::Scene& scene, std::uint32_t cloud) {
   const scene::Instance& instance = scene.instances[cloud];
   const scene::LitArchetype& lit = scene.lit[instance.lit];
   return {scene::placed(scene, instance, scene.archetypes[lit.archetype].onePuff),
-          lightOf(scene, instance, lit.onePuff)};
+          lightOf(scene, instance, lit.onePuff), scene.archetypes[lit.archetype].genus};
 }
 
 /// One upright puff of the mean place, spread and light of these, each by what it covers. It covers what they
@@ -88,17 +91,20 @@ LitPuff joined(std::span<const LitPuff> puffs) {
   mean /= covered;
   for (const LitPuff& one : puffs) {
     const shape::Bounds own = shape::boundsOf(std::span(&one.puff, 1), 1);
-    const glm::dvec3 half = 0.5 * glm::dvec3(own.upper - own.lower), away = glm::dvec3(one.puff.center) - mean;
+    const glm::dvec3 half = 0.5 * glm::dvec3(own.upper - own.lower),
+                     away = glm::dvec3(one.puff.center) - mean;
     variance += coverOf(one.puff) / covered * (half * half + away * away);
   }
-  LitPuff out{puffs.front().puff, {glm::vec3(color / covered), static_cast<float>(forward / covered)}};
+  LitPuff out{
+      puffs.front().puff,
+      {glm::vec3(color / covered), static_cast<float>(forward / covered)},
+      std::ranges::max_element(puffs, {}, [&](const LitPuff& one) { return coverOf(one.puff); })->genus};
   out.puff.center = mean;
   out.puff.rotation = glm::quat(1, 0, 0, 0);
   out.puff.sigma = glm::sqrt(variance);
   const double opticalDepth = covered / (out.puff.sigma.x * out.puff.sigma.z);
   const float thinnest = std::min({out.puff.sigma.x, out.puff.sigma.y, out.puff.sigma.z});
-  out.puff.extinctionPerMeter =
-      static_cast<float>(opticalDepth) / shape::centralOpticalDepth(1, thinnest);
+  out.puff.extinctionPerMeter = static_cast<float>(opticalDepth) / shape::centralOpticalDepth(1, thinnest);
   return out;
 }
 
@@ -120,7 +126,8 @@ std::vector<LitPuff> joinedClouds(const scene::Scene& scene, Clouds clouds, doub
 
 std::size_t cellsTaken(const scene::Scene& scene, Clouds clouds, double cellMeters) {
   std::vector<CellKey> keys;
-  for (const std::uint32_t cloud : clouds) keys.push_back(cellOf(scene.instances[cloud].position, cellMeters));
+  for (const std::uint32_t cloud : clouds)
+    keys.push_back(cellOf(scene.instances[cloud].position, cellMeters));
   std::sort(keys.begin(), keys.end());
   return static_cast<std::size_t>(std::unique(keys.begin(), keys.end()) - keys.begin());
 }
@@ -146,8 +153,8 @@ Detail detailWithin(const scene::Scene& scene, Clouds clouds, std::size_t budget
       if (const double scaled = error * scene.instances[cloud].scale; scaled > leastErrorMeters)
         errors.push_back(scaled);
   std::sort(errors.begin(), errors.end());
-  const auto fits = std::partition_point(errors.begin(), errors.end(),
-                                         [&](double error) { return count(error) > budget; });
+  const auto fits =
+      std::partition_point(errors.begin(), errors.end(), [&](double error) { return count(error) > budget; });
   if (fits != errors.end()) return {*fits, 0};
   Detail detail{errors.back(), errors.back() / kVisibleSigmas};
   while (cellsTaken(scene, clouds, detail.cellMeters) > budget) detail.cellMeters *= kCellGrowth;
@@ -171,8 +178,10 @@ std::vector<LitPuff> puffsAt(const scene::Scene& scene, Clouds clouds, const Det
     }
     const auto& puffs = drawn == Drawn::FewPuffs ? archetype.farPuffs : archetype.puffs;
     const auto& lights = drawn == Drawn::FewPuffs ? lit.farPuffs : lit.puffs;
+    const float covering = drawn == Drawn::FewPuffs ? shape::kCoveringAmongMany : archetype.covering;
     for (std::size_t p = 0; p < lights.size(); ++p)
-      out.push_back({scene::placed(scene, instance, puffs[p]), lightOf(scene, instance, lights[p])});
+      out.push_back({scene::placed(scene, instance, puffs[p]), lightOf(scene, instance, lights[p]),
+                     archetype.genus, covering});
   }
   return out;
 }

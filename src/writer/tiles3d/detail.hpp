@@ -21,10 +21,12 @@ struct Detail {
   double cellMeters = 0;   ///< 0: no clouds are joined
 };
 
-/// A puff in the scene frame, and its light.
+/// A puff in the scene frame, its light, and whose sprites it has.
 struct LitPuff {
   shape::Puff puff;
   light::PuffLight light;
+  base::Genus genus{};
+  float covering = shape::kCoveringAmongMany;  ///< as a blended blob: shape::widenedAcross
 };
 
 /// The finest detail at which the clouds are at most `budget` puffs and which is coarser than `least`.

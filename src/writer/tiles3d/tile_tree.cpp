@@ -23,7 +23,7 @@ struct Square {
 
 class Grower {
  public:
-  explicit Grower(const scene::Scene& scene) : scene_(scene) {}
+  Grower(const scene::Scene& scene, std::size_t mostPuffs) : scene_(scene), mostPuffs_(mostPuffs) {}
 
   TileTree grow() {
     if (scene_.instances.empty()) return {};
@@ -44,13 +44,13 @@ class Grower {
   std::uint32_t add(TileNode node, const Square& square) {
     const auto index = static_cast<std::uint32_t>(tree_.nodes.size());
     tree_.nodes.push_back(node);
-    const bool tooMuch = square.side > kWidestLeafMeters || drawnPuffs(node) > kMostPuffsOfTile;
+    const bool tooMuch = square.side > kWidestLeafMeters || drawnPuffs(node) > mostPuffs_;
     if (tooMuch && node.count > 1 && node.level < kDeepest)
       node.children = divide(node, square);
     double error = kLeastErrorMeters;
     for (const std::uint32_t child : node.children)
       error = std::max(error, kErrorGrowth * tree_.nodes[child].detail.errorMeters);
-    if (!node.isLeaf()) node.detail = detailWithin(scene_, tree_.cloudsOf(node), kMostPuffsOfTile, error);
+    if (!node.isLeaf()) node.detail = detailWithin(scene_, tree_.cloudsOf(node), mostPuffs_, error);
     tree_.nodes[index] = std::move(node);
     return index;
   }
@@ -91,6 +91,7 @@ class Grower {
   }
 
   const scene::Scene& scene_;
+  std::size_t mostPuffs_;
   TileTree tree_;
 };
 
@@ -98,6 +99,8 @@ class Grower {
 
 std::string TileNode::name() const { return fmt::format("{}_{}_{}", level, column, row); }
 
-TileTree tileTree(const scene::Scene& scene) { return Grower(scene).grow(); }
+TileTree tileTree(const scene::Scene& scene, std::size_t mostPuffs) {
+  return Grower(scene, mostPuffs).grow();
+}
 
 }  // namespace cloudgen::writer::tiles3d

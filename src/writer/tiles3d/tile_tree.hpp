@@ -10,8 +10,8 @@
 
 namespace cloudgen::writer::tiles3d {
 
-/// The most puffs that a tile draws, but for single clouds of more.
-inline constexpr std::size_t kMostPuffsOfTile = 40'000;
+/// The most puffs that a tile draws as splats, and as cards, but for single clouds of more.
+inline constexpr std::size_t kMostPuffsOfTile = 40'000, kMostPuffsOfCardTile = 10'000;
 
 /// A square of the quadtree over the ground of the scene frame; it holds the clouds whose origin stands in it.
 struct TileNode {
@@ -31,9 +31,9 @@ struct TileTree {
   Clouds cloudsOf(const TileNode& node) const { return Clouds(order).subspan(node.first, node.count); }
 };
 
-/// Squares are divided until their clouds have at most kMostPuffsOfTile puffs and they are at most 1000 km
-/// wide. Leaves draw all of them, other
-/// tiles as many as the most allow; the error of a parent is at least half more than those of its children.
-TileTree tileTree(const scene::Scene& scene);
+/// Squares are divided until their clouds have at most `mostPuffs` puffs and they are at most 1000 km wide. Leaves
+/// draw all of them, other tiles as many as the most allow; the error of a parent is at least half more than those
+/// of its children.
+TileTree tileTree(const scene::Scene& scene, std::size_t mostPuffs = kMostPuffsOfTile);
 
 }  // namespace cloudgen::writer::tiles3d

@@ -9,6 +9,7 @@
 #include "base/file.hpp"
 #include "base/gzip.hpp"
 #include "base/thread.hpp"
+#include "writer/copy_textures.hpp"
 #include "writer/gltf/scene_extras.hpp"
 #include "writer/tiles3d/tile_content.hpp"
 
@@ -31,7 +32,7 @@ Json tileSchema() {
   };
   const Json properties{
       {"clouds", property("SCALAR", "UINT32", "Clouds that stand in the tile")},
-      {"splats", property("SCALAR", "UINT32", "Splats that the tile draws")},
+      {"drawn", property("SCALAR", "UINT32", "Splats or cards that the tile draws")},
       {"genera", property("STRING", "", "Genera of the clouds, as WMO abbreviations")},
       {"lowestBase", property("SCALAR", "FLOAT32", "Lowest cloud base, metres above mean sea level")},
       {"highestTop", property("SCALAR", "FLOAT32", "Highest cloud top, metres above mean sea level")}};
@@ -46,7 +47,7 @@ Json metadataOf(const TileNode& node, const WrittenTile& written) {
   return {{"class", "tile"},
           {"properties",
            {{"clouds", node.count},
-            {"splats", written.splats},
+            {"drawn", written.drawn},
             {"genera", genera},
             {"lowestBase", std::round(written.lowestBaseMeters)},
             {"highestTop", std::round(written.highestTopMeters)}}}};
@@ -80,7 +81,7 @@ class TilesetTree {
   Json tile(std::uint32_t index, const glm::dmat4& parentToEarth) const {
     const TileNode& node = tree_.nodes[index];
     const WrittenTile& written = written_[index];
-    const bool hasContent = written.splats > 0;
+    const bool hasContent = written.drawn > 0;
     const glm::dmat4 toEarth = hasContent ? written.plane.toEarth : parentToEarth;
     Json out{{"boundingVolume", {{"region", regions_[index].bounds()}}},
              {"geometricError", node.detail.errorMeters}};
@@ -133,19 +134,25 @@ void writeTiles(const scene::Scene& scene, const Destination& destination) {
   std::filesystem::create_directories(folder, error);
   if (error)
     throw base::OutputError(folder.string(), "cannot be made: " + error.message(), "check the output folder");
-  const TileTree tree = tileTree(scene);
+  TileTree tree = tileTree(scene);
+  TileStyle style{destination.tiles.content, destination.splats.degree, destination.tiles.gzip, {}};
+  if (style.content == TileContent::Auto) style.content = chosenContent(scene, tree);
+  if (style.content == TileContent::Cards) {
+    style.atlases = copyTextures(scene, destination.folder);
+    tree = tileTree(scene, kMostPuffsOfCardTile);
+  }
   std::vector<WrittenTile> written(tree.nodes.size());
   for (std::size_t start = 0; start < written.size(); start += kTilesAtOnce) {
     destination.progress.step("tiles", static_cast<double>(start) / static_cast<double>(written.size()));
     base::parallelFor(std::min(kTilesAtOnce, written.size() - start), [&](std::size_t i) {
       const TileNode& node = tree.nodes[start + i];
-      written[start + i] = writeTile(scene, tree, node, destination.tiles, folder / (node.name() + ".glb"));
+      written[start + i] = writeTile(scene, tree, node, style, folder / (node.name() + ".glb"));
     });
   }
   const double rootError = tree.nodes.empty() ? 0 : tree.nodes.front().detail.errorMeters;
   const std::string tileset =
-      tilesetOf(scene, TilesetTree(tree, written), rootError, destination.tiles.content).dump() + "\n";
-  base::writeFile(destination.folder / "tileset.json", destination.tiles.gzip ? base::gzipped(tileset) : tileset);
+      tilesetOf(scene, TilesetTree(tree, written), rootError, style.content).dump() + "\n";
+  base::writeFile(destination.folder / "tileset.json", style.gzip ? base::gzipped(tileset) : tileset);
   destination.progress.step("tiles", 1);
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "light/color.hpp"
 
+#include <cmath>
+
 namespace cloudgen::light {
 namespace {
 
@@ -18,6 +20,14 @@ TEST(Color, ThereAndBackIsTheSame) {
     const float v = static_cast<float>(i) / 255;
     EXPECT_NEAR(srgbFromLinear(linearFromSrgb(glm::vec3(v))).y, v, 1e-5);
     EXPECT_NEAR(linearFromSrgb(srgbFromLinear(glm::vec3(v))).y, v, 1e-5);
+  }
+}
+
+TEST(Color, IsTheCurveOfTheStandardEverywhere) {
+  for (int i = 0; i <= 100'000; ++i) {
+    const double v = i / 1e5;
+    const double encoded = v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
+    ASSERT_NEAR(srgbFromLinear(glm::vec3(static_cast<float>(v))).x, encoded, 1e-6) << v;
   }
 }
 

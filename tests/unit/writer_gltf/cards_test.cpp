@@ -3,6 +3,8 @@
 
 #include <cstdlib>
 #include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <numbers>
 
 #include "base/error.hpp"
 #include "support/glb_reader.hpp"
@@ -115,13 +117,48 @@ TEST_F(Cards, MeshesAreSoundAndBrighterOnTop) {
   EXPECT_GT(mesh.positions[3 * 6 + 1], mesh.positions[1]);
 }
 
-TEST_F(Cards, TwoCardsTogetherHideWhatThePuffHides) {
+/// What the cards of a mesh hold as extinction, m2, seen from straight above: sprites end at 2.2 deviations.
+double heldUpwards(const gltf::CardMesh& mesh) {
+  constexpr std::size_t kVertices = 9;
+  constexpr double kReach = 2.2, kWithinBorder = 0.9451;
+  const auto corner = [&](std::size_t vertex) {
+    return glm::dvec3(mesh.positions[3 * vertex], mesh.positions[3 * vertex + 1], mesh.positions[3 * vertex + 2]);
+  };
+  double held = 0;
+  for (std::size_t first = 0; first < mesh.opticalDepths.size(); first += kVertices) {
+    const glm::dvec3 right = (corner(first + 2) - corner(first)) / (2 * kReach),
+                     up = (corner(first + 6) - corner(first)) / (2 * kReach);
+    held += 2 * std::numbers::pi * kWithinBorder * std::abs(glm::cross(right, up).y) *
+            static_cast<double>(mesh.opticalDepths[first]);
+  }
+  return held;
+}
+
+TEST_F(Cards, FromAboveTheyHoldWhatTheirPuffsHold) {
+  scene::Scene scene = test::gltfScene();
+  const glm::quat leaning = glm::angleAxis(0.7f, glm::normalize(glm::vec3(1, 0.5f, 0.3f)));
+  for (const glm::quat& turn : {glm::quat(1, 0, 0, 0), leaning})
+    for (const float denser : {0.1f, 1.0f, 40.0f}) {
+      scene::Archetype archetype = scene.archetypes[0];
+      double expected = 0;
+      for (shape::Puff& puff : archetype.farPuffs) {
+        puff.rotation = turn;
+        puff.extinctionPerMeter *= denser;
+        expected += 1.5 * shape::extinctionArea(puff);
+      }
+      const auto mesh =
+          gltf::cardsOf(archetype, scene.lit[0], 1.5f, {.columns = 2, .rows = 2, .tilePixels = 64});
+      EXPECT_NEAR(heldUpwards(mesh) / expected, 1, 1e-3) << denser;
+      for (const float depth : mesh.opticalDepths) EXPECT_GT(depth, 0);
+    }
+}
+
+TEST_F(Cards, OpacityIsThatOfTheOpticalDepth) {
   const scene::Scene scene = test::gltfScene();
   const auto mesh =
       gltf::cardsOf(scene.archetypes[1], scene.lit[2], 1.5f, {.columns = 2, .rows = 2, .tilePixels = 64});
-  const double seenThrough = 1 - mesh.colors[3] / 65535.0;
-  EXPECT_NEAR(seenThrough * seenThrough,
-              std::exp(-1.5 * shape::frontalOpticalDepth(scene.archetypes[1].farPuffs[0])), 1e-3);
+  for (std::size_t i = 0; i < mesh.opticalDepths.size(); ++i)
+    EXPECT_NEAR(1 - mesh.colors[4 * i + 3] / 65535.0, std::exp(-mesh.opticalDepths[i]), 1e-4);
 }
 
 TEST_F(Cards, TheGroundLiesUnderTheBox) {

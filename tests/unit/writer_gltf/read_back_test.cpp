@@ -54,6 +54,23 @@ TEST(ReadBack, CardsTellHowDenseTheyAre) {
   EXPECT_GT(densest, 100) << "an opacity of 16 bits ends at 12";
 }
 
+TEST(ReadBack, CloudsAsNodesStandWhereInstancesDo) {
+  const scene::Scene scene = test::gltfScene();
+  const test::Scratch instanced, singly;
+  writeCards(scene, {instanced.path(), {}});
+  writeCards(scene, {.folder = singly.path(), .cards = {true}});
+  const auto a = check::readGlbScene(instanced.path() / "scene.glb"),
+             b = check::readGlbScene(singly.path() / "scene.glb");
+  ASSERT_EQ(a.blobs.size(), b.blobs.size());
+  ASSERT_EQ(b.clouds.size(), scene.instances.size());
+  for (std::size_t i = 0; i < a.blobs.size(); ++i) {
+    EXPECT_LT(glm::distance(a.blobs[i].center, b.blobs[i].center), 0.01f);
+    EXPECT_LT(glm::distance(a.blobs[i].right(), b.blobs[i].right()), 0.01f);
+    EXPECT_EQ(a.blobs[i].strength, b.blobs[i].strength);
+  }
+  EXPECT_EQ(base::readFile(singly.path() / "scene.glb").find("gpu_instancing"), std::string::npos);
+}
+
 TEST(ReadBack, RefusesWhatIsCutShort) {
   const scene::Scene scene = test::gltfScene();
   const test::Scratch folder;

@@ -9,7 +9,7 @@
 #include "support/glb_reader.hpp"
 #include "support/gltf_scene.hpp"
 #include "writer/gltf/gltf.hpp"
-#include "writer/gltf/splat_tiles.hpp"
+#include "writer/gltf/splat_source.hpp"
 
 namespace cloudgen::writer {
 namespace {

@@ -5,6 +5,7 @@
 
 #include "support/gltf_scene.hpp"
 #include "writer/gltf/splat.hpp"
+#include "writer/tiles3d/narrow.hpp"
 #include "writer/tiles3d/tile_tree.hpp"
 
 namespace cloudgen::writer::tiles3d {
@@ -57,6 +58,35 @@ TEST(Detail, JoinedCloudsCoverAsMuchTogether) {
     return sum / weight;
   };
   EXPECT_NEAR(meanRed(few), meanRed(single), 0.01);
+}
+
+TEST(Narrow, ManyHoldAndSpreadAsTheOneThatIsTooWide) {
+  LitPuff wide;
+  wide.puff.rotation = glm::angleAxis(0.4f, glm::vec3(0, 1, 0));
+  wide.puff.center = {1000, 2000, -500};
+  for (const glm::vec3 sigma : {glm::vec3(100, 50, 200), glm::vec3(300, 80, 240), glm::vec3(700, 100, 2000)}) {
+    wide.puff.sigma = sigma;
+    wide.puff.extinctionPerMeter = 0.01f;
+    std::vector<LitPuff> parts;
+    appendNarrow(wide, parts);
+    EXPECT_LE(parts.size(), narrowCount(wide.puff));
+    double held = 0;
+    glm::dvec3 mean(0), square(0);
+    for (const LitPuff& part : parts) {
+      for (int axis = 0; axis < 3; ++axis) EXPECT_LE(part.puff.sigma[axis], kMostSigmaMeters);
+      EXPECT_GE(gltf::splatOpacity(part.puff), gltf::kLeastOpacity);
+      const double own = shape::extinctionArea(part.puff);
+      const glm::dvec3 away(glm::inverse(wide.puff.rotation) * (part.puff.center - wide.puff.center));
+      held += own;
+      mean += own * away;
+      square += own * (away * away + glm::dvec3(part.puff.sigma) * glm::dvec3(part.puff.sigma));
+    }
+    EXPECT_NEAR(held / shape::extinctionArea(wide.puff), 1, 1e-4);
+    for (int axis = 0; axis < 3; ++axis) {
+      EXPECT_NEAR(mean[axis] / held, 0, 0.01 * static_cast<double>(sigma[axis]));
+      EXPECT_NEAR(std::sqrt(square[axis] / held) / static_cast<double>(sigma[axis]), 1, 0.04);
+    }
+  }
 }
 
 TEST(TileTree, HoldsEveryCloudOnceALevelAndErrorsFall) {
