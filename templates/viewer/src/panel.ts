@@ -38,8 +38,11 @@ function fillLegend(data: SceneData): void {
   for (const genus of data.genera) {
     const row = document.createElement('li');
     row.dataset.genus = genus.abbreviation;
+    const label = row.appendChild(document.createElement('label'));
+    const box = label.appendChild(document.createElement('input'));
+    [box.type, box.value, box.checked] = ['checkbox', genus.abbreviation, true];
     const add = (kind: string, text: string) => {
-      const part = row.appendChild(document.createElement('span'));
+      const part = label.appendChild(document.createElement('span'));
       part.className = kind;
       part.textContent = text;
       return part;

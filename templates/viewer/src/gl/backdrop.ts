@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sky and ground, with the clouds laid over them in the same pass.
+import {AIR_GLSL} from '../air';
+import {displayColor} from '../color';
+import type {Camera} from '../camera';
+import {axesOf} from '../camera';
+import type {Vec3} from '../math';
+import type {Daylight} from '../pack/daylight';
+import {SHADOW_CELLS, type Area} from '../pack/ground_shadow';
+import {byteTexture, Mesh, Program, type GL, type Target} from './gl';
+
+/**
+ * `behindClouds(color, depth)`: a colour with the clouds over it. The cloud picture may be coarser than the screen: near the edges of
+ * mountains the texels count most whose ground is as far away as the pixel's own.
+ */
+const CLOUDS_GLSL = (terrain: boolean) => `
+uniform sampler2D u_clouds;
+uniform vec2 u_screen;
+${terrain ? 'uniform sampler2D u_cloudDepth;\nuniform float u_near;' : ''}
+vec4 cloudsHere(float depth) {
+  vec2 at = gl_FragCoord.xy / u_screen;
+  ${
+    terrain
+      ? `vec2 size = vec2(textureSize(u_clouds, 0));
+  vec2 texel = at * size - 0.5;
+  ivec2 low = ivec2(floor(texel));
+  vec2 f = fract(texel);
+  vec4 sum = vec4(0.0);
+  float weights = 0.0;
+  for (int j = 0; j < 2; ++j)
+    for (int i = 0; i < 2; ++i) {
+      ivec2 p = clamp(low + ivec2(i, j), ivec2(0), ivec2(size) - 1);
+      float nearness = 1.0 - texelFetch(u_cloudDepth, p, 0).r;
+      float own = u_near / depth;
+      float weight = (i == 0 ? 1.0 - f.x : f.x) * (j == 0 ? 1.0 - f.y : f.y) / (0.02 + abs(nearness - own) / max(own, 1e-7)) + 1e-6;
+      sum += weight * texelFetch(u_clouds, p, 0);
+      weights += weight;
+    }
+  return sum / weights;`
+      : 'return texture(u_clouds, at);'
+  }
+}
+vec3 behindClouds(vec3 color, float depth) {
+  vec4 clouds = cloudsHere(depth);
+  return color * (1.0 - clouds.a) + clouds.rgb;
+}
+`;
+
+const SKY_VERTEX = `
+uniform vec3 u_right, u_up, u_forward;
+out vec3 v_way;
+void main() {
+  vec2 corner = vec2(float((gl_VertexID & 1) * 4) - 1.0, float((gl_VertexID & 2) * 2) - 1.0);
+  v_way = u_forward + corner.x * u_right + corner.y * u_up;
+  gl_Position = vec4(corner, 1.0, 1.0);
+}`;
+
+const SKY_FRAGMENT = (terrain: boolean) => `
+in vec3 v_way;
+uniform vec3 u_zenith, u_horizon, u_sunColor, u_sun;
+${CLOUDS_GLSL(terrain)}
+out vec4 color;
+void main() {
+  vec3 way = normalize(v_way);
+  float towards = max(dot(way, u_sun), 0.0);
+  vec3 sky = mix(u_zenith, u_horizon, exp(-3.5 * max(way.y, 0.0)));
+  float t2 = towards * towards, t6 = t2 * t2 * t2;
+  sky = mix(sky, u_sunColor, 0.1 * t6 + 0.28 * exp2(130.0 * (towards - 1.0)));
+  // The sun's half degree is widened to one, as film and eye do by glare.
+  sky = mix(sky, vec3(1.0), smoothstep(0.99986, 0.99996, towards));
+  color = vec4(behindClouds(sky, 1e7), 1.0);
+}`;
+
+/** A disc about the point under the eye, out to the horizon. */
+const GROUND_VERTEX = (relief: boolean) => `
+layout(location = 0) in vec3 place;
+${relief ? 'layout(location = 1) in vec3 relief;\nout vec3 v_relief;\nuniform vec3 u_sun, u_soil;' : ''}
+uniform mat4 u_clip;
+uniform float u_ground;
+uniform vec3 u_area;
+uniform float u_depth;
+${AIR_GLSL}
+out vec3 v_across;
+out float v_clarity;
+void main() {
+  vec3 world = ${relief ? 'vec3(place.x, (place.y + u_ground) * u_exaggeration, place.z)' : 'vec3(place.x + u_eye.x, u_ground, place.z + u_eye.z)'};
+  gl_Position = u_clip * vec4(world, 1.0);
+  v_across = vec3((world.xz - u_area.xy) / vec2(u_area.z, u_depth), gl_Position.w);
+  v_clarity = clarity(world);
+  ${
+    relief
+      ? `// As the other formats draw it: lighter with height, shaded by slopes.
+  float facing = (u_sun.y - relief.x * u_sun.x - relief.y * u_sun.z) / length(vec3(relief.x, 1.0, relief.y));
+  float lit = clamp(facing / max(u_sun.y, 0.15), 0.0, 1.8);
+  vec3 linear = u_soil * mix(vec3(1.0), vec3(2.3, 1.6, 1.75), relief.z) * (0.45 + 0.55 * lit);
+  v_relief = 1.055 * pow(clamp(linear, 0.0031308, 1.0), vec3(1.0 / 2.4)) - 0.055;`
+      : ''
+  }
+}`;
+
+const GROUND_FRAGMENT = (relief: boolean, terrain: boolean) => `
+in vec3 v_across;
+in float v_clarity;
+${relief ? 'in vec3 v_relief;' : ''}
+uniform vec3 u_land, u_sea, u_horizon;
+uniform float u_sunShare;
+uniform vec4 u_mapArea;
+uniform sampler2D u_map, u_sunlight;
+${CLOUDS_GLSL(terrain)}
+out vec4 color;
+void main() {
+  vec2 inside = step(abs(v_across.xy - 0.5), vec2(0.5));
+  float box = inside.x * inside.y;
+  float land = texture(u_map, (v_across.xy - u_mapArea.xy) / u_mapArea.zw).r;
+  vec3 ground = ${relief ? 'v_relief' : 'mix(u_sea, u_land, land)'} * mix(0.88, 1.0, box);
+  // What is left in a shadow is light of the blue sky.
+  float lit = mix(1.0, texture(u_sunlight, v_across.xy).r, box);
+  ground *= mix(vec3(1.0 - u_sunShare, 1.0 - 0.96 * u_sunShare, 1.0 - 0.84 * u_sunShare), vec3(1.0), lit);
+  color = vec4(behindClouds(mix(u_horizon, ground, v_clarity), v_across.z), 1.0);
+}`;
+
+const LINE_VERTEX = `
+layout(location = 0) in vec3 place;
+uniform mat4 u_clip;
+uniform float u_ground, u_stretch;
+${AIR_GLSL}
+out float v_clarity;
+out float v_grazing;
+out float v_depth;
+void main() {
+  vec3 world = vec3(place.x, (place.y + u_ground) * u_stretch, place.z);
+  gl_Position = u_clip * vec4(world, 1.0);
+  v_depth = gl_Position.w;
+  v_clarity = clarity(world);
+  vec3 way = world - u_eye;
+  // Seen at a grazing angle many lines fall on one pixel: they fade before that.
+  v_grazing = smoothstep(0.002, 0.03, abs(way.y) / length(way));
+}`;
+
+const LINE_FRAGMENT = (terrain: boolean) => `
+in float v_clarity;
+in float v_grazing;
+in float v_depth;
+uniform vec3 u_horizon, u_line;
+uniform float u_opacity;
+${CLOUDS_GLSL(terrain)}
+out vec4 color;
+void main() {
+  float opacity = u_opacity * v_grazing * (1.0 - cloudsHere(v_depth).a);
+  color = vec4(mix(u_horizon, u_line, v_clarity) * opacity, opacity);
+}`;
+
+export interface Lines {
+  mesh: Mesh;
+  opacity: number;
+  color: Vec3;
+}
+
+/** Land and sea on a raster over a part of the ground: 255 is land. */
+export interface LandMap {
+  pixels: Uint8Array;
+  width: number;
+  height: number;
+  /** Where it lies, in widths and depths of the area: left, top, width, height. */
+  place: [number, number, number, number];
+}
+
+export class Backdrop {
+  /** What is set by the sun. */
+  private zenith: Vec3 = [0, 0, 0];
+  private horizon: Vec3 = [0, 0, 0];
+  private soil: Vec3 = [0, 0, 0];
+  private land: Vec3 = [0, 0, 0];
+  private sea: Vec3 = [0, 0, 0];
+  private sunColor: Vec3 = [1, 1, 1];
+  private sun: Vec3 = [0, 1, 0];
+  lines: Lines[] = [];
+  private readonly sky: Program;
+  private readonly flat: Program;
+  private readonly relief: Program | null;
+  private readonly line: Program;
+  private readonly disc: Mesh;
+  private readonly sunlight: WebGLTexture;
+  private map: WebGLTexture;
+  private mapPlace: [number, number, number, number] = [0, 0, 1, 1];
+  private readonly empty: WebGLVertexArrayObject;
+
+  constructor(private readonly gl: GL, private readonly area: Area, private readonly terrain: Mesh | null) {
+    const withTerrain = terrain !== null;
+    this.sky = new Program(gl, SKY_VERTEX, SKY_FRAGMENT(withTerrain));
+    this.flat = new Program(gl, GROUND_VERTEX(false), GROUND_FRAGMENT(false, withTerrain));
+    this.relief = withTerrain ? new Program(gl, GROUND_VERTEX(true), GROUND_FRAGMENT(true, true)) : null;
+    this.line = new Program(gl, LINE_VERTEX, LINE_FRAGMENT(withTerrain));
+    this.disc = disc(gl);
+    this.sunlight = byteTexture(gl, 1, 1, Uint8Array.of(255));
+    this.map = byteTexture(gl, 1, 1, Uint8Array.of(255));
+    this.empty = gl.createVertexArray();
+  }
+
+  setDaylight(daylight: Daylight, sun: Vec3): void {
+    this.zenith = displayColor(daylight.zenith);
+    this.horizon = displayColor(daylight.horizon);
+    this.soil = daylight.ground;
+    this.land = displayColor(daylight.ground);
+    const [r, g, b] = daylight.ground;
+    this.sea = displayColor([0.32 * r + 0.02 * daylight.zenith[0], 0.5 * g + 0.03 * daylight.zenith[1], 0.75 * b + 0.06 * daylight.zenith[2]]);
+    this.sunColor = displayColor(daylight.suns[0]);
+    this.sun = sun;
+  }
+
+  setSunlight(light: Uint8Array): void {
+    const {gl} = this;
+    gl.bindTexture(gl.TEXTURE_2D, this.sunlight);
+    gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.R8, SHADOW_CELLS, SHADOW_CELLS, 0, gl.RED, gl.UNSIGNED_BYTE, light);
+  }
+
+  setLand(map: LandMap): void {
+    const {gl} = this;
+    gl.deleteTexture(this.map);
+    this.map = byteTexture(gl, map.width, map.height, map.pixels);
+    gl.generateMipmap(gl.TEXTURE_2D);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_NEAREST);
+    this.mapPlace = map.place;
+  }
+
+  /** Only what hides clouds, into the depth of the target that is bound. */
+  drawDepth(clip: Float32Array, camera: Camera, exaggeration: number, clouds: Target): void {
+    if (!this.relief || !this.terrain) return;
+    this.gl.colorMask(false, false, false, false);
+    this.drawTerrain(clip, camera, exaggeration, clouds, 1);
+    this.gl.colorMask(true, true, true, true);
+  }
+
+  /** All of it, with the clouds over it, into what is bound. */
+  draw(clip: Float32Array, camera: Camera, exaggeration: number, near: number, clouds: Target): void {
+    const {gl} = this;
+    const {right, up, forward} = axesOf(camera);
+    const half = Math.tan(0.5 * camera.fieldRadians);
+    const wide = (half * camera.widthPixels) / camera.heightPixels;
+    gl.disable(gl.DEPTH_TEST);
+    gl.depthMask(false);
+    this.common(this.sky, camera, exaggeration, near, clouds);
+    this.sky
+      .set('u_right', right[0] * wide, right[1] * wide, right[2] * wide)
+      .set('u_up', up[0] * half, up[1] * half, up[2] * half)
+      .set('u_forward', ...forward)
+      .set('u_zenith', ...this.zenith)
+      .set('u_sunColor', ...this.sunColor)
+      .set('u_sun', ...this.sun);
+    gl.bindVertexArray(this.empty);
+    gl.drawArrays(gl.TRIANGLES, 0, 3);
+    gl.bindVertexArray(null);
+    if (camera.eye[1] > this.area.groundMeters) {
+      this.common(this.flat, camera, exaggeration, near, clouds);
+      this.ground(this.flat, clip);
+      this.disc.draw();
+    }
+    if (this.terrain) {
+      gl.depthMask(true);
+      gl.clear(gl.DEPTH_BUFFER_BIT);
+      this.drawTerrain(clip, camera, exaggeration, clouds, near);
+    }
+    this.drawLines(clip, camera, exaggeration, near, clouds);
+  }
+
+  private drawTerrain(clip: Float32Array, camera: Camera, exaggeration: number, clouds: Target, near: number): void {
+    const {gl} = this;
+    gl.enable(gl.DEPTH_TEST);
+    gl.depthMask(true);
+    this.common(this.relief!, camera, exaggeration, near, clouds);
+    this.ground(this.relief!, clip);
+    this.terrain!.draw();
+    gl.depthMask(false);
+    gl.disable(gl.DEPTH_TEST);
+  }
+
+  private drawLines(clip: Float32Array, camera: Camera, exaggeration: number, near: number, clouds: Target): void {
+    const {gl} = this;
+    if (this.terrain) {
+      gl.enable(gl.DEPTH_TEST);
+      gl.depthFunc(gl.LEQUAL);
+    }
+    gl.enable(gl.BLEND);
+    gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
+    this.common(this.line, camera, exaggeration, near, clouds);
+    this.line
+      .matrix('u_clip', clip)
+      .set('u_ground', this.area.groundMeters)
+      .set('u_stretch', this.terrain ? exaggeration : 1);
+    for (const {mesh, opacity, color} of this.lines) {
+      this.line.set('u_opacity', opacity).set('u_line', ...color);
+      mesh.draw();
+    }
+    gl.disable(gl.BLEND);
+    gl.disable(gl.DEPTH_TEST);
+  }
+
+  private common(program: Program, camera: Camera, exaggeration: number, near: number, clouds: Target): void {
+    program
+      .use()
+      .set('u_eye', ...camera.eye)
+      .set('u_exaggeration', exaggeration)
+      .set('u_horizon', ...this.horizon)
+      .set('u_screen', this.gl.drawingBufferWidth, this.gl.drawingBufferHeight)
+      .texture('u_clouds', 0, clouds.color!);
+    if (clouds.depth) program.set('u_near', near).texture('u_cloudDepth', 4, clouds.depth);
+  }
+
+  private ground(program: Program, clip: Float32Array): void {
+    const {area} = this;
+    // A low sun casts long shadows that fade into the light of the sky.
+    program
+      .matrix('u_clip', clip)
+      .set('u_ground', area.groundMeters)
+      .set('u_area', area.lower[0], area.lower[1], area.width)
+      .set('u_depth', area.depth)
+      .set('u_sun', ...this.sun)
+      .set('u_soil', ...this.soil)
+      .set('u_land', ...this.land)
+      .set('u_sea', ...this.sea)
+      .set('u_sunShare', 0.5 * Math.min(1, Math.max(0, this.sun[1] / 0.25)))
+      .set('u_mapArea', ...this.mapPlace)
+      .texture('u_map', 1, this.map)
+      .texture('u_sunlight', 2, this.sunlight);
+  }
+}
+
+/** Rings about the origin, finer near it: colours that are given at the corners are then right in between. */
+function disc(gl: GL): Mesh {
+  const [sectors, rings] = [64, 40];
+  const [first, last] = [30, 2_500_000];
+  const values = [0, 0, 0];
+  const indices: number[] = [];
+  for (let r = 0; r < rings; ++r)
+    for (let s = 0; s < sectors; ++s) {
+      const radius = first * Math.pow(last / first, r / (rings - 1));
+      const angle = (2 * Math.PI * s) / sectors;
+      values.push(radius * Math.cos(angle), 0, radius * Math.sin(angle));
+      const next = (s + 1) % sectors;
+      const at = (ring: number, sector: number) => 1 + ring * sectors + sector;
+      if (r === 0) indices.push(0, at(0, s), at(0, next));
+      else indices.push(at(r - 1, s), at(r, s), at(r, next), at(r - 1, s), at(r, next), at(r - 1, next));
+    }
+  return new Mesh(gl, values, [3], indices);
+}
