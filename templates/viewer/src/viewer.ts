@@ -6,13 +6,14 @@ import {Controls, type HeldKeys} from './controls';
 import type {Frame} from './frame';
 import {Backdrop} from './gl/backdrop';
 import {Mesh, type GL} from './gl/gl';
-import {DIVISORS, Renderer} from './gl/renderer';
+import {PACE_OF_GPU, PACE_OF_SOFTWARE, PACES, Renderer, type Pace} from './gl/renderer';
 import {spriteTexture} from './gl/sprites';
 import {groundLines, type GroundLines} from './ground_lines';
 import {along, clamp, distance, dot, UP, type Vec3} from './math';
 import {daylightUnder, directionTo, type SunPlace} from './pack/daylight';
 import type {Area} from './pack/ground_shadow';
 import type {PackView} from './pack/pack_view';
+import type {Shape} from './pack/quads';
 import type {Layers, ListOrder} from './pack/sky_maker';
 import type {SkyClient} from './pack/sky_client';
 import {pathAbout, type FlightPath} from './path';
@@ -36,8 +37,8 @@ const REST_MILLISECONDS = 220;
 /** What a list of quads may lose while the view moves, in pixels of the coarse picture; and at rest, in those of the screen. */
 const QUICK_ERROR_PIXELS = 1.5;
 const FINE_ERROR_PIXELS = 2;
-const MOST_QUICK_PUFFS = 60_000;
 const MOST_FINE_PUFFS = 1_500_000;
+const MOST_SOFTWARE_FILL = 6e7;
 
 type Fine = 'none' | 'asked' | 'drawing' | 'shown';
 
@@ -63,6 +64,8 @@ export class Viewer {
   private readonly controls: Controls;
   private readonly terrain: Terrain;
   private readonly quality: Quality;
+  /** Pixels that puffs of the picture at rest may cover together before it is made coarser. */
+  private readonly mostFill: number;
   private changed = true;
   private requested = false;
   private fine: Fine = 'none';
@@ -75,6 +78,8 @@ export class Viewer {
   private nearestMeters = 1000;
   private cloudsShown = true;
   private turnFrom = 0;
+  /** Pixels of the screen under the canvas. */
+  private screen = {widthPixels: 1280, heightPixels: 720};
 
   static async create(data: SceneData, frame: Frame, pack: PackView, sky: SkyClient): Promise<Viewer> {
     const canvas = document.createElement('canvas');
@@ -122,8 +127,10 @@ export class Viewer {
     this.addLines(this.lines.minor, 0.13, [0.97, 0.98, 1]);
     this.addLines(this.lines.major, 0.42, [0.97, 0.98, 1]);
     this.addLines(this.lines.border, 0.85, [0.97, 0.98, 1]);
-    this.quality = new Quality(DIVISORS.length, DIVISORS.indexOf(isSoftware(gl) ? 4 : 2));
-    renderer.divisor = DIVISORS[this.quality.step];
+    const software = isSoftware(gl);
+    this.mostFill = software ? MOST_SOFTWARE_FILL : Infinity;
+    this.quality = new Quality(PACES.length, software ? PACE_OF_SOFTWARE : PACE_OF_GPU);
+    renderer.pace = PACES[this.quality.step];
     this.controls = new Controls(canvas, {
       drag: (right, down) => this.drag(right, down),
       pan: (right, down) => this.pan(right, down),
@@ -145,21 +152,21 @@ export class Viewer {
   }
 
   get camera(): Camera {
-    return looking(this.pose.eye, forwardOf(this.pose), FIELD_RADIANS, this.canvas.width, this.canvas.height);
+    return looking(this.pose.eye, forwardOf(this.pose), FIELD_RADIANS, this.screen.widthPixels, this.screen.heightPixels);
   }
 
   get groundMeters(): number {
     return this.data.groundHeightMeters;
   }
 
-  /** Quads of the list that is drawn while the view moves, and the pixel of its picture in those of the screen. */
-  get drawing(): {quads: number; divisor: number} {
-    return {quads: this.renderer.quick.count, divisor: this.renderer.divisor};
+  /** How the view is drawn while it moves, and how many puffs that are. */
+  get drawing(): Pace & {puffs: number} {
+    return {puffs: this.renderer.quick.count, ...this.renderer.pace};
   }
 
   setView(name: ViewName): void {
     this.view = name;
-    const narrow = Math.min(1, this.canvas.width / this.canvas.height) * Math.tan(FIELD_RADIANS / 2);
+    const narrow = Math.min(1, this.screen.widthPixels / this.screen.heightPixels) * Math.tan(FIELD_RADIANS / 2);
     const ground = this.data.groundHeightMeters;
     const {position, target} = viewNamed(name, ground, directionTo(this.data.sun), this.frame, this.extent, 2 * Math.atan(narrow));
     const stretch = name === 'top' ? 1 : this.exaggeration;
@@ -267,6 +274,7 @@ export class Viewer {
 
   /** One frame as while the view moves, without waiting for the screen. */
   drawNow(): void {
+    this.fitCanvas(this.renderer.pace.canvas);
     this.renderer.drawQuick(this.camera, this.near(), this.exaggeration);
     ++this.frames;
     if (this.needsList()) void this.askList();
@@ -281,7 +289,7 @@ export class Viewer {
     this.moveByKeys(wasMoving ? seconds : 1 / 60);
     if (this.mode === 'follow') this.follow(wasMoving ? seconds : 1 / 60);
     if (this.changed) {
-      if (wasMoving && this.quality.frame(between)) this.renderer.divisor = DIVISORS[this.quality.step];
+      if (wasMoving && this.quality.frame(between)) this.setPace(this.quality.step);
       this.changed = false;
       this.lastChange = time;
       this.fine = 'none';
@@ -293,9 +301,11 @@ export class Viewer {
       return;
     }
     if (this.fine !== 'drawing') return;
-    if (this.renderer.advanceFine(this.camera, this.near(), this.exaggeration)) this.fine = 'shown';
     ++this.frames;
-    if (this.fine === 'drawing') this.requestFrame();
+    if (!this.renderer.advanceFine(this.camera, this.near())) return this.requestFrame();
+    this.fitCanvas(1);
+    this.renderer.showFine(this.camera, this.near(), this.exaggeration);
+    this.fine = 'shown';
   }
 
   /** Draws the clouds once more in all detail. */
@@ -307,15 +317,17 @@ export class Viewer {
     }
     this.fine = 'asked';
     const {camera} = this;
-    const list = await this.sky.call('list', this.orderFor(camera, 0, 0, FINE_ERROR_PIXELS, MOST_FINE_PUFFS));
+    const list = await this.sky.call('list', this.orderFor(camera, 'quads', 0, 0, FINE_ERROR_PIXELS, MOST_FINE_PUFFS));
     if (this.fine !== 'asked' || this.changed) return;
-    this.renderer.startFine(this.cloudsShown ? list.buffer : new ArrayBuffer(0), camera, this.near(), this.exaggeration);
+    const fine = this.cloudsShown ? list : {buffer: new ArrayBuffer(0), fillPixels: 0};
+    const divisor = clamp(Math.sqrt(fine.fillPixels / this.mostFill), 1, 2.5);
+    this.renderer.startFine(fine, camera, divisor, this.near(), this.exaggeration);
     this.fine = 'drawing';
     this.requestFrame();
   }
 
-  private orderFor(camera: Camera, marginRadians: number, marginMeters: number, errorPixels: number, mostPuffs: number): ListOrder {
-    return {camera, marginRadians, marginMeters, detail: {errorPixels, hysteresis: 0.15, mostPuffs}};
+  private orderFor(camera: Camera, shape: Shape, marginRadians: number, marginMeters: number, errorPixels: number, mostPuffs: number): ListOrder {
+    return {camera, shape, marginRadians, marginMeters, detail: {errorPixels, hysteresis: 0.15, mostPuffs}};
   }
 
   /** A list holds until the camera has moved or turned enough. */
@@ -324,7 +336,7 @@ export class Viewer {
     const {camera: made, margin} = this.listed;
     const now = this.camera;
     const turnedBy = Math.acos(clamp(dot(made.forward, now.forward), -1, 1));
-    return made.widthPixels !== now.widthPixels || made.heightPixels !== now.heightPixels || distance(made.eye, now.eye) > margin / 3 || turnedBy > 0.04;
+    return distance(made.eye, now.eye) > margin / 3 || turnedBy > 0.04;
   }
 
   /** Asks for the list that is drawn while the view moves; one question at a time. */
@@ -336,9 +348,10 @@ export class Viewer {
     this.listing = true;
     const {camera} = this;
     const margin = clamp(0.04 * this.nearestMeters, 20, 5000);
-    const coarse = {...camera, widthPixels: camera.widthPixels / this.renderer.divisor, heightPixels: camera.heightPixels / this.renderer.divisor};
+    const {pace} = this.renderer;
+    const coarse = {...camera, widthPixels: camera.widthPixels / pace.divisor, heightPixels: camera.heightPixels / pace.divisor};
     try {
-      const list = await this.sky.call('list', this.orderFor(coarse, 0.12, margin, QUICK_ERROR_PIXELS, MOST_QUICK_PUFFS));
+      const list = await this.sky.call('list', this.orderFor(coarse, 'triangles', 0.12, margin, QUICK_ERROR_PIXELS, pace.mostPuffs));
       this.nearestMeters = Number.isFinite(list.nearestMeters) ? Math.max(list.nearestMeters, 200) : 20_000;
       this.renderer.quick.set(this.cloudsShown ? list.buffer : new ArrayBuffer(0));
       this.listed = {camera, margin};
@@ -500,14 +513,26 @@ export class Viewer {
     return this.terrain.exists ? clamp(0.25 * (this.pose.eye[1] - this.groundUnder(this.pose.eye)), 2, 2000) : 2;
   }
 
+  /** Gives the canvas this share of the screen's pixels across. */
+  private fitCanvas(share: number): void {
+    const {widthPixels, heightPixels} = this.screen;
+    const [width, height] = [Math.max(1, Math.round(widthPixels * share)), Math.max(1, Math.round(heightPixels * share))];
+    if (this.canvas.width === width && this.canvas.height === height) return;
+    this.canvas.width = width;
+    this.canvas.height = height;
+  }
+
+  setPace(step: number): void {
+    this.renderer.pace = PACES[step];
+    this.listed = null;
+  }
+
   private resize(): void {
     const {clientWidth, clientHeight} = this.canvas.parentElement!;
     if (!clientWidth || !clientHeight) return;
     const ratio = Math.min(2, window.devicePixelRatio);
-    this.canvas.width = Math.round(clientWidth * ratio);
-    this.canvas.height = Math.round(clientHeight * ratio);
-    this.canvas.style.width = `${clientWidth}px`;
-    this.canvas.style.height = `${clientHeight}px`;
+    this.screen = {widthPixels: Math.round(clientWidth * ratio), heightPixels: Math.round(clientHeight * ratio)};
+    this.listed = null;
     this.touch();
   }
 }

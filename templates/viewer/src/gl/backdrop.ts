@@ -4,10 +4,13 @@ import {AIR_GLSL} from '../air';
 import {displayColor} from '../color';
 import type {Camera} from '../camera';
 import {axesOf} from '../camera';
-import type {Vec3} from '../math';
+import {clamp, type Vec3} from '../math';
 import type {Daylight} from '../pack/daylight';
 import {SHADOW_CELLS, type Area} from '../pack/ground_shadow';
 import {byteTexture, Mesh, Program, type GL, type Target} from './gl';
+
+/** How far the ground reaches. */
+const GROUND_METERS = 2_500_000;
 
 /**
  * `behindClouds(color, depth)`: a colour with the clouds over it. The cloud picture may be coarser than the screen: near the edges of
@@ -46,29 +49,46 @@ vec3 behindClouds(vec3 color, float depth) {
 }
 `;
 
+/** A lattice over the screen: the sky's colours change slowly enough to be known at its points. */
 const SKY_VERTEX = `
-uniform vec3 u_right, u_up, u_forward;
-out vec3 v_way;
+layout(location = 0) in vec2 corner;
+uniform vec3 u_right, u_up, u_forward, u_zenith, u_horizon, u_sunColor, u_sun;
+out vec3 v_sky;
 void main() {
-  vec2 corner = vec2(float((gl_VertexID & 1) * 4) - 1.0, float((gl_VertexID & 2) * 2) - 1.0);
-  v_way = u_forward + corner.x * u_right + corner.y * u_up;
+  vec3 way = normalize(u_forward + corner.x * u_right + corner.y * u_up);
+  float towards = max(dot(way, u_sun), 0.0);
+  vec3 sky = mix(u_zenith, u_horizon, exp(-3.5 * max(way.y, 0.0)));
+  v_sky = mix(sky, u_sunColor, 0.1 * pow(towards, 6.0) + 0.28 * pow(towards, 90.0));
   gl_Position = vec4(corner, 1.0, 1.0);
 }`;
 
 const SKY_FRAGMENT = (terrain: boolean) => `
-in vec3 v_way;
-uniform vec3 u_zenith, u_horizon, u_sunColor, u_sun;
+in vec3 v_sky;
 ${CLOUDS_GLSL(terrain)}
 out vec4 color;
 void main() {
-  vec3 way = normalize(v_way);
-  float towards = max(dot(way, u_sun), 0.0);
-  vec3 sky = mix(u_zenith, u_horizon, exp(-3.5 * max(way.y, 0.0)));
-  float t2 = towards * towards, t6 = t2 * t2 * t2;
-  sky = mix(sky, u_sunColor, 0.1 * t6 + 0.28 * exp2(130.0 * (towards - 1.0)));
-  // The sun's half degree is widened to one, as film and eye do by glare.
-  sky = mix(sky, vec3(1.0), smoothstep(0.99986, 0.99996, towards));
-  color = vec4(behindClouds(sky, 1e7), 1.0);
+  color = vec4(behindClouds(v_sky, 1e7), 1.0);
+}`;
+
+/** The sun's half degree is widened to one, as film and eye do by glare. */
+const SUN_VERTEX = `
+uniform mat4 u_clip;
+uniform vec3 u_eye, u_sun;
+out vec2 v_corner;
+void main() {
+  v_corner = vec2(float(gl_VertexID & 1), float(gl_VertexID >> 1)) * 2.0 - 1.0;
+  vec3 right = normalize(vec3(-u_sun.z, 0.0, u_sun.x) + vec3(1e-5, 0.0, 0.0));
+  vec3 up = cross(right, u_sun);
+  gl_Position = u_clip * vec4(u_eye + 1e6 * (u_sun + 0.018 * (v_corner.x * right + v_corner.y * up)), 1.0);
+}`;
+
+const SUN_FRAGMENT = (terrain: boolean) => `
+in vec2 v_corner;
+${CLOUDS_GLSL(terrain)}
+out vec4 color;
+void main() {
+  float disc = smoothstep(1.0, 0.45, length(v_corner)) * (1.0 - cloudsHere(1e7).a);
+  color = vec4(disc);
 }`;
 
 /** A disc about the point under the eye, out to the horizon. */
@@ -179,7 +199,9 @@ export class Backdrop {
   private readonly flat: Program;
   private readonly relief: Program | null;
   private readonly line: Program;
-  private readonly disc: Mesh;
+  private readonly disc: Program;
+  private readonly lattice: Mesh;
+  private readonly plain: Mesh;
   private readonly sunlight: WebGLTexture;
   private map: WebGLTexture;
   private mapPlace: [number, number, number, number] = [0, 0, 1, 1];
@@ -191,7 +213,9 @@ export class Backdrop {
     this.flat = new Program(gl, GROUND_VERTEX(false), GROUND_FRAGMENT(false, withTerrain));
     this.relief = withTerrain ? new Program(gl, GROUND_VERTEX(true), GROUND_FRAGMENT(true, true)) : null;
     this.line = new Program(gl, LINE_VERTEX, LINE_FRAGMENT(withTerrain));
-    this.disc = disc(gl);
+    this.disc = new Program(gl, SUN_VERTEX, SUN_FRAGMENT(withTerrain));
+    this.lattice = lattice(gl);
+    this.plain = plain(gl);
     this.sunlight = byteTexture(gl, 1, 1, Uint8Array.of(255));
     this.map = byteTexture(gl, 1, 1, Uint8Array.of(255));
     this.empty = gl.createVertexArray();
@@ -248,13 +272,19 @@ export class Backdrop {
       .set('u_zenith', ...this.zenith)
       .set('u_sunColor', ...this.sunColor)
       .set('u_sun', ...this.sun);
-    gl.bindVertexArray(this.empty);
-    gl.drawArrays(gl.TRIANGLES, 0, 3);
-    gl.bindVertexArray(null);
+    // Rows of the ground alone are left to it. The ground ends a little below the horizon.
+    const lift = camera.eye[1] - this.area.groundMeters;
+    const horizon = forward[1] < 0.999 ? Math.tan(Math.asin(forward[1]) + Math.max(0, lift) / GROUND_METERS + 0.002) / half : -2;
+    const firstRow = camera.up[1] < 0.999 || Math.abs(forward[1]) > 0.7 ? 0 : Math.floor(clamp(0.5 - 0.5 * horizon, 0, 1) * gl.drawingBufferHeight);
+    gl.enable(gl.SCISSOR_TEST);
+    gl.scissor(0, firstRow, gl.drawingBufferWidth, gl.drawingBufferHeight - firstRow);
+    this.lattice.draw();
+    this.drawSun(clip, camera, exaggeration, near, clouds);
+    gl.disable(gl.SCISSOR_TEST);
     if (camera.eye[1] > this.area.groundMeters) {
       this.common(this.flat, camera, exaggeration, near, clouds);
       this.ground(this.flat, clip);
-      this.disc.draw();
+      this.plain.draw();
     }
     if (this.terrain) {
       gl.depthMask(true);
@@ -262,6 +292,19 @@ export class Backdrop {
       this.drawTerrain(clip, camera, exaggeration, clouds, near);
     }
     this.drawLines(clip, camera, exaggeration, near, clouds);
+  }
+
+  private drawSun(clip: Float32Array, camera: Camera, exaggeration: number, near: number, clouds: Target): void {
+    if (this.sun[1] < -0.02) return;
+    const {gl} = this;
+    gl.enable(gl.BLEND);
+    gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
+    this.common(this.disc, camera, exaggeration, near, clouds);
+    this.disc.matrix('u_clip', clip).set('u_sun', ...this.sun);
+    gl.bindVertexArray(this.empty);
+    gl.drawArrays(gl.TRIANGLE_STRIP, 0, 4);
+    gl.bindVertexArray(null);
+    gl.disable(gl.BLEND);
   }
 
   private drawTerrain(clip: Float32Array, camera: Camera, exaggeration: number, clouds: Target, near: number): void {
@@ -326,15 +369,29 @@ export class Backdrop {
   }
 }
 
+/** Points over the whole screen. */
+function lattice(gl: GL): Mesh {
+  const [columns, rows] = [32, 20];
+  const values: number[] = [];
+  const indices: number[] = [];
+  for (let j = 0; j <= rows; ++j)
+    for (let i = 0; i <= columns; ++i) {
+      values.push((2 * i) / columns - 1, (2 * j) / rows - 1);
+      if (i === columns || j === rows) continue;
+      const at = j * (columns + 1) + i;
+      indices.push(at, at + 1, at + columns + 1, at + columns + 1, at + 1, at + columns + 2);
+    }
+  return new Mesh(gl, values, [2], indices);
+}
+
 /** Rings about the origin, finer near it: colours that are given at the corners are then right in between. */
-function disc(gl: GL): Mesh {
-  const [sectors, rings] = [64, 40];
-  const [first, last] = [30, 2_500_000];
+function plain(gl: GL): Mesh {
+  const [sectors, rings, first] = [64, 40, 30];
   const values = [0, 0, 0];
   const indices: number[] = [];
   for (let r = 0; r < rings; ++r)
     for (let s = 0; s < sectors; ++s) {
-      const radius = first * Math.pow(last / first, r / (rings - 1));
+      const radius = first * Math.pow(GROUND_METERS / first, r / (rings - 1));
       const angle = (2 * Math.PI * s) / sectors;
       values.push(radius * Math.cos(angle), 0, radius * Math.sin(angle));
       const next = (s + 1) % sectors;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-import {CORNER_BYTES, QUAD_BYTES} from '../pack/quads';
+import {bytesOf, CORNER_BYTES, TRIANGLE, type Shape} from '../pack/quads';
 import {Program, type GL} from './gl';
 import {GREY_SCALE} from './sprites';
 
-const VERTEX = `
+const QUAD_VERTEX = `
 layout(location = 0) in vec3 place;
 layout(location = 1) in vec4 color;
 layout(location = 2) in vec4 sprite;
@@ -16,7 +16,7 @@ void main() {
   v_color = vec4(color.rgb * (color.a * ${GREY_SCALE}), color.a);
 }`;
 
-const FRAGMENT = `
+const QUAD_FRAGMENT = `
 in vec3 v_sprite;
 in vec4 v_color;
 uniform sampler2DArray u_sprites;
@@ -26,33 +26,60 @@ void main() {
   color = vec4(v_color.rgb * texel.g, v_color.a * texel.r);
 }`;
 
+const TRIANGLE_VERTEX = `
+layout(location = 0) in vec3 place;
+layout(location = 1) in vec4 color;
+uniform mat4 u_clip;
+out vec2 v_corner;
+flat out vec4 v_color;
+const vec2 corners[3] = vec2[3](${[0, 2, 4].map((i) => `vec2(${TRIANGLE[i].toFixed(6)}, ${TRIANGLE[i + 1].toFixed(6)})`).join(', ')});
+void main() {
+  gl_Position = u_clip * vec4(place, 1.0);
+  v_corner = corners[gl_VertexID % 3];
+  v_color = color;
+}`;
+
+/** A round blob that falls off much as a sprite does, and ends where it ends. */
+const TRIANGLE_FRAGMENT = `
+in vec2 v_corner;
+flat in vec4 v_color;
+out vec4 color;
+void main() {
+  float inside = max(0.0, 1.0 - dot(v_corner, v_corner));
+  float alpha = v_color.a * inside * inside;
+  color = vec4(v_color.rgb * alpha, alpha);
+}`;
+
 /**
- * A list of quads on the GPU, and how it is drawn. Quads are laid out as four corners each: one instance a quad would be shorter to
- * write, but software renderers take every instance for a draw of its own, at some microseconds each.
+ * A list of puffs on the GPU. They are laid out corner by corner: one instance a puff would be shorter, but software renderers take
+ * every instance for a draw of its own, at some microseconds each.
  */
-export class QuadList {
+export class PuffList {
   count = 0;
   private readonly vao: WebGLVertexArrayObject;
   private readonly vertices: WebGLBuffer;
   private capacity = 0;
 
-  constructor(private readonly gl: GL, private readonly indices: QuadIndices) {
+  constructor(private readonly gl: GL, readonly shape: Shape, private readonly indices: QuadIndices) {
     this.vao = gl.createVertexArray();
     this.vertices = gl.createBuffer();
+    const bytes = shape === 'quads' ? CORNER_BYTES + 4 : CORNER_BYTES;
     gl.bindVertexArray(this.vao);
     gl.bindBuffer(gl.ARRAY_BUFFER, this.vertices);
     gl.enableVertexAttribArray(0);
-    gl.vertexAttribPointer(0, 3, gl.FLOAT, false, CORNER_BYTES, 0);
+    gl.vertexAttribPointer(0, 3, gl.FLOAT, false, bytes, 0);
     gl.enableVertexAttribArray(1);
-    gl.vertexAttribPointer(1, 4, gl.UNSIGNED_BYTE, true, CORNER_BYTES, 12);
-    gl.enableVertexAttribArray(2);
-    gl.vertexAttribPointer(2, 4, gl.UNSIGNED_BYTE, false, CORNER_BYTES, 16);
+    gl.vertexAttribPointer(1, 4, gl.UNSIGNED_BYTE, true, bytes, 12);
+    if (shape === 'quads') {
+      gl.enableVertexAttribArray(2);
+      gl.vertexAttribPointer(2, 4, gl.UNSIGNED_BYTE, false, bytes, 16);
+    }
     gl.bindVertexArray(null);
   }
 
   set(buffer: ArrayBuffer): void {
     const {gl} = this;
-    this.count = buffer.byteLength / (QUAD_BYTES);
+    this.count = buffer.byteLength / bytesOf(this.shape);
     gl.bindBuffer(gl.ARRAY_BUFFER, this.vertices);
     if (buffer.byteLength > this.capacity) {
       this.capacity = Math.ceil(1.3 * buffer.byteLength);
@@ -65,8 +92,11 @@ export class QuadList {
     const {gl} = this;
     if (count <= 0) return;
     gl.bindVertexArray(this.vao);
-    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.indices.forQuads(first + count));
-    gl.drawElements(gl.TRIANGLES, 6 * count, gl.UNSIGNED_INT, 24 * first);
+    if (this.shape === 'triangles') gl.drawArrays(gl.TRIANGLES, 3 * first, 3 * count);
+    else {
+      gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.indices.forQuads(first + count));
+      gl.drawElements(gl.TRIANGLES, 6 * count, gl.UNSIGNED_INT, 24 * first);
+    }
     gl.bindVertexArray(null);
   }
 }
@@ -92,22 +122,22 @@ export class QuadIndices {
   }
 }
 
-/** Draws lists of quads into the target that is bound, over what is in it; colours are premultiplied. */
+/** Draws lists into the target that is bound, over what is in it; colours are premultiplied. */
 export class CloudPainter {
-  private readonly program: Program;
+  private readonly programs: Record<Shape, Program>;
 
   constructor(private readonly gl: GL, private readonly sprites: WebGLTexture) {
-    this.program = new Program(gl, VERTEX, FRAGMENT);
+    this.programs = {triangles: new Program(gl, TRIANGLE_VERTEX, TRIANGLE_FRAGMENT), quads: new Program(gl, QUAD_VERTEX, QUAD_FRAGMENT)};
   }
 
-  draw(list: QuadList, first: number, count: number, clip: Float32Array, behindTerrain: boolean): void {
+  draw(list: PuffList, first: number, count: number, clip: Float32Array, behindTerrain: boolean): void {
     const {gl} = this;
-    this.program.use().matrix('u_clip', clip).texture('u_sprites', 3, this.sprites, gl.TEXTURE_2D_ARRAY);
+    const program = this.programs[list.shape].use().matrix('u_clip', clip);
+    if (list.shape === 'quads') program.texture('u_sprites', 3, this.sprites, gl.TEXTURE_2D_ARRAY);
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
     gl.depthMask(false);
     if (behindTerrain) gl.enable(gl.DEPTH_TEST);
-    else gl.disable(gl.DEPTH_TEST);
     list.draw(first, count);
     gl.disable(gl.BLEND);
     gl.disable(gl.DEPTH_TEST);

@@ -1,27 +1,51 @@
 // SPDX-License-Identifier: Apache-2.0
 import {clipMatrix, type Camera} from '../camera';
 import type {Backdrop} from './backdrop';
-import {CloudPainter, QuadIndices, QuadList} from './cloud_layer';
+import {CloudPainter, PuffList, QuadIndices} from './cloud_layer';
 import {Target, type GL} from './gl';
 
-/** Widths of a pixel of the cloud picture while the view moves, in those of the screen. */
-export const DIVISORS = [1, 1.5, 2, 3, 4, 5, 6, 8];
+/** How the view is drawn while it moves. */
+export interface Pace {
+  /** Of the canvas's pixels across, to those of the screen. */
+  canvas: number;
+  /** Width of a pixel of the cloud picture, in those of the screen. */
+  divisor: number;
+  mostPuffs: number;
+}
+
+/** From fine to coarse. */
+export const PACES: Pace[] = [
+  {canvas: 1, divisor: 1, mostPuffs: 400_000},
+  {canvas: 1, divisor: 1.5, mostPuffs: 200_000},
+  {canvas: 1, divisor: 2, mostPuffs: 100_000},
+  {canvas: 1, divisor: 3, mostPuffs: 40_000},
+  {canvas: 0.75, divisor: 4, mostPuffs: 12_000},
+  {canvas: 0.5, divisor: 4, mostPuffs: 6_000},
+  {canvas: 0.5, divisor: 4, mostPuffs: 3_500},
+  {canvas: 0.5, divisor: 6, mostPuffs: 2_500},
+  {canvas: 0.4, divisor: 8, mostPuffs: 1_500},
+];
+export const PACE_OF_SOFTWARE = 5;
+export const PACE_OF_GPU = 2;
+
 /** A picture at rest is drawn in so many parts, a frame each. */
 const PARTS = 12;
-const LEAST_PART = 1500;
+/** A part should not cover more than so many pixels, each puff for itself, or the page stands still meanwhile. */
+const MOST_PART_PIXELS = 8e6;
 
 /**
  * Draws clouds into a picture of their own and lays it over sky and ground: coarse and at once while the view moves, at full
  * resolution and in parts once it rests.
  */
 export class Renderer {
-  divisor = 4;
-  readonly quick: QuadList;
-  private readonly fine: QuadList;
+  pace: Pace = PACES[PACE_OF_GPU];
+  readonly quick: PuffList;
+  private readonly fine: PuffList;
   private readonly painter: CloudPainter;
   private readonly quickTarget: Target;
   private readonly fineTarget: Target;
   private fineDone = 0;
+  private fineParts = PARTS;
   private shown: Target;
 
   constructor(
@@ -31,8 +55,8 @@ export class Renderer {
     private readonly hasTerrain: boolean,
   ) {
     const indices = new QuadIndices(gl);
-    this.quick = new QuadList(gl, indices);
-    this.fine = new QuadList(gl, indices);
+    this.quick = new PuffList(gl, 'triangles', indices);
+    this.fine = new PuffList(gl, 'quads', indices);
     this.painter = new CloudPainter(gl, sprites);
     this.quickTarget = new Target(gl, hasTerrain);
     this.fineTarget = new Target(gl, hasTerrain);
@@ -42,7 +66,7 @@ export class Renderer {
   /** Clouds as they are known now, coarse. */
   drawQuick(camera: Camera, near: number, exaggeration: number): void {
     const {gl} = this;
-    const size = (pixels: number) => Math.max(1, Math.ceil(pixels / this.divisor));
+    const size = (pixels: number) => Math.max(1, Math.ceil(pixels / (this.pace.divisor * this.pace.canvas)));
     this.quickTarget.resize(size(gl.drawingBufferWidth), size(gl.drawingBufferHeight));
     const clip = clipMatrix(camera, near);
     this.begin(this.quickTarget, camera, clip, exaggeration);
@@ -51,29 +75,29 @@ export class Renderer {
     this.compose(camera, near, exaggeration);
   }
 
-  /** Takes a finer list; advanceFine then draws it. */
-  startFine(list: ArrayBuffer, camera: Camera, near: number, exaggeration: number): void {
-    const {gl} = this;
-    this.fine.set(list);
-    this.fineTarget.resize(gl.drawingBufferWidth, gl.drawingBufferHeight);
+  /** Takes a finer list for a picture of the camera's size over `divisor`; advanceFine then draws it. */
+  startFine(list: {buffer: ArrayBuffer; fillPixels: number}, camera: Camera, divisor: number, near: number, exaggeration: number): void {
+    this.fine.set(list.buffer);
+    this.fineTarget.resize(Math.ceil(camera.widthPixels / divisor), Math.ceil(camera.heightPixels / divisor));
     this.begin(this.fineTarget, camera, clipMatrix(camera, near), exaggeration);
     this.fineDone = 0;
+    this.fineParts = Math.max(PARTS, list.fillPixels / (divisor * divisor) / MOST_PART_PIXELS);
   }
 
-  /** Draws a part more; true once all of it is on the screen. */
-  advanceFine(camera: Camera, near: number, exaggeration: number): boolean {
-    const part = Math.max(LEAST_PART, Math.ceil(this.fine.count / PARTS));
-    const count = Math.min(part, this.fine.count - this.fineDone);
+  /** Draws a part more; true once all of it is drawn and `showFine` may come. */
+  advanceFine(camera: Camera, near: number): boolean {
+    const part = this.fine.count / this.fineParts;
+    const count = Math.min(Math.ceil(part), this.fine.count - this.fineDone);
     this.fineTarget.bind();
     this.painter.draw(this.fine, this.fineDone, count, clipMatrix(camera, near), this.hasTerrain);
     this.fineDone += count;
-    if (this.fineDone < this.fine.count) {
-      this.gl.flush();
-      return false;
-    }
+    this.gl.flush();
+    return this.fineDone >= this.fine.count;
+  }
+
+  showFine(camera: Camera, near: number, exaggeration: number): void {
     this.shown = this.fineTarget;
     this.compose(camera, near, exaggeration);
-    return true;
   }
 
   /** Sky and ground under the clouds that were drawn last. */

@@ -4,11 +4,11 @@ import {focalPixels, Frustum, INSIDE, OUTSIDE, type Camera} from '../camera';
 import {YAW_STEPS, type ArchetypeInfo, type Clouds, type PackView} from './pack_view';
 
 export interface Detail {
-  /** Detail up to this size on the screen may be lost. */
+  /** Detail up to this size on the screen may be lost; more where more than `mostPuffs` would be left. */
   errorPixels: number;
   /** A cloud changes its level only this share of errorPixels beyond the limit. */
   hysteresis: number;
-  /** More puffs than this are never drawn at once. */
+  /** About so many puffs are drawn at most: an even choice of them then stands for all. */
   mostPuffs: number;
 }
 
@@ -22,30 +22,51 @@ export interface CloudSet {
 }
 
 const NEW = 255;
+/** Where this many times too many puffs are left, the error grows by steps of such a factor. */
+const MOST_THINNING = 16;
+const COARSER = 1.5;
+const MOST_ROUNDS = 12;
 
 export class Selection {
-  /** Cloud and puff of what was found, and a key that is smaller the farther it is. */
+  /** Cloud and puff of what was found, how much wider it is drawn, and a key that is smaller the farther it is. */
   clouds = new Uint32Array(1 << 12);
   puffs = new Uint32Array(1 << 12);
+  widenings = new Float32Array(1 << 12);
   keys = new Uint16Array(1 << 12);
   count = 0;
   /** From the eye to the nearest cloud's sphere; Infinity if none is seen. */
   nearestMeters = Infinity;
+  /** Clouds in view, and for each the pixels that a metre of it at scale 1 spans. */
   cloudCount = 0;
+  private readonly inView: Uint32Array;
+  private readonly pixels: Float32Array;
   private readonly levels: Uint8Array;
-  private readonly turns: [number, number][] = Array.from({length: YAW_STEPS}, (_, i) => [
-    Math.cos((2 * Math.PI * i) / YAW_STEPS),
-    Math.sin((2 * Math.PI * i) / YAW_STEPS),
-  ]);
 
   constructor(private readonly pack: PackView) {
     this.levels = new Uint8Array(pack.clouds.count).fill(NEW);
+    this.inView = new Uint32Array(pack.clouds.count);
+    this.pixels = new Float32Array(pack.clouds.count);
   }
 
   select(set: CloudSet, camera: Camera, marginRadians: number, marginMeters: number, detail: Detail): void {
-    const frustum = new Frustum(camera, marginRadians, marginMeters);
-    this.count = this.cloudCount = 0;
+    this.findClouds(set, camera, new Frustum(camera, marginRadians, marginMeters));
+    let error = detail.errorPixels;
+    let count = this.chooseLevels(set, error, detail.hysteresis);
+    for (let round = 0; count > MOST_THINNING * detail.mostPuffs && round < MOST_ROUNDS; ++round) {
+      error *= COARSER;
+      count = this.chooseLevels(set, error, 0);
+    }
+    this.count = 0;
+    this.makeRoom(count);
+    const share = Math.min(1, detail.mostPuffs / Math.max(1, count));
+    for (let v = 0; v < this.cloudCount; ++v) this.addCloud(this.inView[v], set, camera, share);
+  }
+
+  /** Walks the tiles that the frustum meets. */
+  private findClouds(set: CloudSet, camera: Camera, frustum: Frustum): void {
+    this.cloudCount = 0;
     this.nearestMeters = Infinity;
+    const focal = focalPixels(camera);
     const {floats, words} = this.pack.tiles;
     const {slackMeters: slack, exaggeration: e} = set;
     const waiting: [number, boolean][] = [[0, false]];
@@ -63,62 +84,91 @@ export class Selection {
       }
       const [first, count, firstChild, children] = [words[at + 6], words[at + 7], words[at + 8], words[at + 9]];
       if (children > 0) for (let c = 0; c < children; ++c) waiting.push([firstChild + c, inside]);
-      else for (let i = first; i < first + count; ++i) if (!set.hidden[i]) this.visitCloud(i, inside, set, camera, frustum, detail);
+      else for (let i = first; i < first + count; ++i) if (!set.hidden[i]) this.findCloud(i, inside, set, camera, focal, frustum);
     }
   }
 
-  private visitCloud(index: number, inside: boolean, set: CloudSet, camera: Camera, frustum: Frustum, detail: Detail): void {
+  private findCloud(index: number, inside: boolean, set: CloudSet, camera: Camera, focal: number, frustum: Frustum): void {
     const {clouds, exaggeration: e} = set;
     if (clouds.factor(index) <= 0) return;
     const archetype = this.pack.archetypes[clouds.archetype(index)];
     const scale = clouds.scale(index);
     const radius = e * archetype.radiusMeters * scale;
-    const [x, y, z] = [clouds.floats[6 * index], clouds.floats[6 * index + 1], clouds.floats[6 * index + 2]];
-    const middle = e * (y + archetype.middleMeters * scale);
-    if (!inside && !frustum.meetsSphere(x, middle, z, radius)) return;
-    const [eyeX, eyeY, eyeZ] = camera.eye;
-    const toSphere = Math.hypot(x - eyeX, middle - eyeY, z - eyeZ) - radius;
+    const x = clouds.floats[6 * index];
+    const y = e * (clouds.floats[6 * index + 1] + archetype.middleMeters * scale);
+    const z = clouds.floats[6 * index + 2];
+    if (!inside && !frustum.meetsSphere(x, y, z, radius)) return;
+    const toSphere = Math.hypot(x - camera.eye[0], y - camera.eye[1], z - camera.eye[2]) - radius;
     this.nearestMeters = Math.min(this.nearestMeters, toSphere);
-    const level = this.chosenLevel(archetype, this.levels[index], (scale * focalPixels(camera)) / Math.max(toSphere, 1), detail);
-    this.levels[index] = level;
-    const {first, count} = archetype.levels[level];
-    if (this.count + count > detail.mostPuffs) return;
-    this.makeRoom(this.count + count);
-    ++this.cloudCount;
-    const [cosine, sine] = this.turns[clouds.yawStep(index)];
-    const {centers} = this.pack;
-    for (let p = first; p < first + count; ++p) {
-      const [cx, cy, cz] = [centers[3 * p], centers[3 * p + 1], centers[3 * p + 2]];
-      const dx = x + scale * (cosine * cx + sine * cz) - eyeX;
-      const dy = e * (y + scale * cy) - eyeY;
-      const dz = z + scale * (cosine * cz - sine * cx) - eyeZ;
-      this.clouds[this.count] = index;
-      this.puffs[this.count] = p;
-      this.keys[this.count++] = farFirst(dx * dx + dy * dy + dz * dz);
-    }
+    this.inView[this.cloudCount] = index;
+    this.pixels[this.cloudCount++] = (scale * focal) / Math.max(toSphere, 1);
   }
 
-  /** The coarsest level whose error is small enough; from the current one it goes only once the limit is clearly passed. */
-  private chosenLevel(archetype: ArchetypeInfo, current: number, pixelsPerMeter: number, detail: Detail): number {
-    const {levels} = archetype;
-    const isNew = current >= levels.length;
-    const slack = isNew ? 0 : detail.hysteresis;
-    let level = isNew ? levels.length - 1 : current;
-    while (level > 0 && levels[level].errorMeters * pixelsPerMeter > detail.errorPixels * (1 + slack)) --level;
-    if (isNew) return level;
-    while (level + 1 < levels.length && levels[level + 1].errorMeters * pixelsPerMeter < detail.errorPixels * (1 - slack)) ++level;
-    return level;
+  /** How many puffs the clouds in view have then. */
+  private chooseLevels(set: CloudSet, errorPixels: number, hysteresis: number): number {
+    let puffs = 0;
+    for (let v = 0; v < this.cloudCount; ++v) {
+      const index = this.inView[v];
+      const archetype = this.pack.archetypes[set.clouds.archetype(index)];
+      const level = chosenLevel(archetype, this.levels[index], this.pixels[v], errorPixels, hysteresis);
+      this.levels[index] = level;
+      puffs += archetype.levels[level].count;
+    }
+    return puffs;
+  }
+
+  /** An even choice of a cloud's puffs, each wider by nearly as much as keeps their area, as they overlap (Cook et al. 2007). */
+  private addCloud(index: number, set: CloudSet, camera: Camera, share: number): void {
+    const widening = Math.pow(share, -0.4);
+    const least = Math.floor(share * 2 ** 32);
+    const {clouds, exaggeration: e} = set;
+    const {centers} = this.pack;
+    const {first, count} = this.pack.archetypes[clouds.archetype(index)].levels[this.levels[index]];
+    const scale = clouds.scale(index);
+    const yaw = clouds.yawStep(index);
+    const [cosine, sine] = [COSINES[yaw], SINES[yaw]];
+    const x = clouds.floats[6 * index] - camera.eye[0];
+    const y = e * clouds.floats[6 * index + 1] - camera.eye[1];
+    const z = clouds.floats[6 * index + 2] - camera.eye[2];
+    for (let p = first; p < first + count; ++p) {
+      if (share < 1 && Math.imul(Math.imul(index + 1, 0x85ebca6b) ^ (p + 1), 0x9e3779b1) >>> 0 > least) continue;
+      const cx = centers[3 * p];
+      const cz = centers[3 * p + 2];
+      const dx = x + scale * (cosine * cx + sine * cz);
+      const dy = y + e * scale * centers[3 * p + 1];
+      const dz = z + scale * (cosine * cz - sine * cx);
+      this.clouds[this.count] = index;
+      this.puffs[this.count] = p;
+      this.widenings[this.count] = widening;
+      this.keys[this.count++] = farFirst(dx * dx + dy * dy + dz * dz);
+    }
   }
 
   private makeRoom(count: number): void {
     if (count <= this.keys.length) return;
     const size = 2 ** Math.ceil(Math.log2(count));
-    const grown = <Array extends Uint32Array | Uint16Array>(made: Array, old: Array): Array => (made.set(old), made);
-    this.clouds = grown(new Uint32Array(size), this.clouds);
-    this.puffs = grown(new Uint32Array(size), this.puffs);
-    this.keys = grown(new Uint16Array(size), this.keys);
+    this.clouds = new Uint32Array(size);
+    this.puffs = new Uint32Array(size);
+    this.widenings = new Float32Array(size);
+    this.keys = new Uint16Array(size);
   }
 }
+
+/** The coarsest level whose error is small enough; from the current one it goes only once the limit is clearly passed. */
+export function chosenLevel(archetype: Pick<ArchetypeInfo, 'levels'>, current: number, pixelsPerMeter: number, errorPixels: number, hysteresis: number): number {
+  const {levels} = archetype;
+  const isNew = current >= levels.length;
+  const slack = isNew ? 0 : hysteresis;
+  let level = isNew ? levels.length - 1 : current;
+  while (level > 0 && levels[level].errorMeters * pixelsPerMeter > errorPixels * (1 + slack)) --level;
+  if (isNew) return level;
+  while (level + 1 < levels.length && levels[level + 1].errorMeters * pixelsPerMeter < errorPixels * (1 - slack)) ++level;
+  return level;
+}
+
+/** Of the headings of clouds: counter-clockwise from above, a 16th of a turn a step. */
+export const COSINES = Float64Array.from({length: YAW_STEPS}, (_, i) => Math.cos((2 * Math.PI * i) / YAW_STEPS));
+export const SINES = Float64Array.from({length: YAW_STEPS}, (_, i) => Math.sin((2 * Math.PI * i) / YAW_STEPS));
 
 const keyFloat = new Float32Array(1);
 const keyBits = new Uint32Array(keyFloat.buffer);

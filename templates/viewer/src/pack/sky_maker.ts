@@ -6,7 +6,7 @@ import {groundSunlight, type Area} from './ground_shadow';
 import {Lighting} from './lighting';
 import {PackView} from './pack_view';
 import {cloudAlong, type Picked} from './pick';
-import {QuadMaker} from './quads';
+import {QuadMaker, type Shape} from './quads';
 import {Selection, sortedByKey, type CloudSet, type Detail} from './selection';
 import {Timeline} from './timeline';
 
@@ -21,12 +21,14 @@ export interface ListOrder {
   marginRadians: number;
   marginMeters: number;
   detail: Detail;
+  shape: Shape;
 }
 
 export interface List {
   buffer: ArrayBuffer;
-  /** Quads, the farthest first, QUAD_BYTES each. */
+  /** Puffs, the farthest first. */
   count: number;
+  fillPixels: number;
   /** Clouds that are in view, and the distance of the nearest. */
   clouds: number;
   nearestMeters: number;
@@ -46,7 +48,8 @@ export class SkyMaker {
   readonly pack: PackView;
   readonly lighting: Lighting;
   private readonly timeline: Timeline;
-  private readonly selection: Selection;
+  /** Levels of detail are remembered apart for the moving view and the one at rest. */
+  private readonly selections: Record<Shape, Selection>;
   private readonly quads: QuadMaker;
   private readonly set: CloudSet;
 
@@ -54,7 +57,7 @@ export class SkyMaker {
     this.pack = PackView.open(bytes);
     this.lighting = new Lighting(this.pack);
     this.timeline = new Timeline(this.pack);
-    this.selection = new Selection(this.pack);
+    this.selections = {triangles: new Selection(this.pack), quads: new Selection(this.pack)};
     this.quads = new QuadMaker(this.pack, this.lighting);
     this.set = {
       clouds: this.timeline.clouds,
@@ -88,13 +91,13 @@ export class SkyMaker {
 
   list(order: ListOrder): List {
     const start = performance.now();
-    this.selection.select(this.set, order.camera, order.marginRadians, order.marginMeters, order.detail);
-    const sorted = sortedByKey(this.selection.keys, this.selection.count);
-    const quads = this.quads.quadsOf(this.selection, sorted, this.set, order.camera);
+    const selection = this.selections[order.shape];
+    selection.select(this.set, order.camera, order.marginRadians, order.marginMeters, order.detail);
+    const sorted = sortedByKey(selection.keys, selection.count);
     return {
-      ...quads,
-      clouds: this.selection.cloudCount,
-      nearestMeters: this.selection.nearestMeters,
+      ...this.quads.quadsOf(selection, sorted, this.set, order.camera, order.shape),
+      clouds: selection.cloudCount,
+      nearestMeters: selection.nearestMeters,
       milliseconds: performance.now() - start,
     };
   }
