@@ -10,6 +10,8 @@ type Place = [number, number];
 const MAP_PIXELS = 1024;
 /** The map reaches so many widths of the scene's rectangle beyond it on each side. */
 const BEYOND = 1;
+/** Steps of a coastline are no shorter than this part of the scene: lines cost as much as triangles. */
+const FINEST_STEPS = 400;
 const HEADER_BYTES = 32;
 
 export interface Coast {
@@ -93,11 +95,15 @@ export function coastAbout(rings: Place[][], frame: Frame): Coast {
       const part = clipped(turn ? ring.map(([x, y]): Place => [x + turn, y]) : ring, box);
       if (part.length < 3) continue;
       const points = part.map(([longitude, latitude]) => frame.toScene(longitude, latitude));
+      const shortest = frame.size / FINEST_STEPS;
+      let last = 0;
       points.forEach(([x, z], i) => (i ? context.lineTo((x - left) * across, (z - top) * down) : context.moveTo((x - left) * across, (z - top) * down)));
       context.closePath();
-      for (let i = 0; i < part.length; ++i) {
-        const next = (i + 1) % part.length;
-        if (!(onBorder(part[i]) && onBorder(part[next]))) lines.push(...points[i], ...points[next]);
+      for (let i = 1; i <= part.length; ++i) {
+        const next = i % part.length;
+        if (next !== 0 && Math.hypot(points[next][0] - points[last][0], points[next][1] - points[last][1]) < shortest) continue;
+        if (!(onBorder(part[last]) && onBorder(part[next]))) lines.push(...points[last], ...points[next]);
+        last = next;
       }
     }
   context.fill('evenodd');

@@ -4,7 +4,8 @@ import type {Frame} from './frame';
 const STEPS_DEGREES = [0.05, 0.1, 0.2, 0.25, 0.5, 1, 2, 2.5, 5, 10, 15, 30];
 const WANTED_LINES = 7;
 const MINOR_LINES = 5;
-const SEGMENTS = 96;
+/** A line of so many degrees is drawn straight: on the maps in use it bends by less than a thousandth of its length. */
+const STRAIGHT_DEGREES = 1.5;
 
 export interface GroundLabel {
   text: string;
@@ -29,8 +30,9 @@ export function groundLines(frame: Frame): GroundLines {
   const east = box.west + frame.longitudeSpan;
   const lines: GroundLines = {border: [], major: [], minor: [], labels: []};
   const line = (from: [number, number], to: [number, number], points: number[]) => {
-    for (let i = 0; i < SEGMENTS; ++i)
-      for (const t of [i / SEGMENTS, (i + 1) / SEGMENTS])
+    const segments = Math.max(2, Math.ceil(Math.max(Math.abs(to[0] - from[0]), Math.abs(to[1] - from[1])) / STRAIGHT_DEGREES));
+    for (let i = 0; i < segments; ++i)
+      for (const t of [i / segments, (i + 1) / segments])
         points.push(...frame.toScene(from[0] + (to[0] - from[0]) * t, from[1] + (to[1] - from[1]) * t));
   };
   line([box.west, box.south], [east, box.south], lines.border);

@@ -5,6 +5,8 @@ import {heightText, lengthText} from './heights';
 import {along, distance, type Vec3} from './math';
 import type {Viewer} from './viewer';
 
+const TEXT_MILLISECONDS = 120;
+
 function element(id: string): HTMLElement {
   const found = document.getElementById(id);
   if (!found) throw new Error(`the page has no element ${id}`);
@@ -13,6 +15,7 @@ function element(id: string): HTMLElement {
 
 /** Scale bar, compass, coordinates, camera height and the labels of the graticule. */
 export class Readout {
+  private due = 0;
   private pointer: {u: number; v: number} | null = null;
   private readonly labelElements: HTMLElement[] = [];
   private readonly frame: Frame;
@@ -35,14 +38,21 @@ export class Readout {
     });
   }
 
-  /** Everything that depends on the camera. */
+  /** Everything that depends on the camera; texts not in every frame, as they cost more than the eye can read. */
   update(): void {
     const {camera} = this.viewer;
+    this.placeLabels(camera);
+    if (this.due) return;
+    this.due = window.setTimeout(() => this.updateTexts(), TEXT_MILLISECONDS);
+  }
+
+  private updateTexts(): void {
+    const {camera} = this.viewer;
+    this.due = 0;
     element('height').textContent = heightText(camera.eye[1] / this.viewer.exaggeration);
     this.showPlace(camera);
     this.showScale(camera);
     this.showCompass(camera);
-    this.placeLabels(camera);
   }
 
   private onGround(camera: Camera, u: number, v: number): Vec3 | null {

@@ -7,8 +7,10 @@ import {axesOf} from '../camera';
 import {clamp, type Vec3} from '../math';
 import type {Daylight} from '../pack/daylight';
 import {SHADOW_CELLS, type Area} from '../pack/ground_shadow';
-import {byteTexture, Mesh, Program, type GL, type Target} from './gl';
+import {byteTexture, Mesh, Program, Target, type GL} from './gl';
 
+/** Of the painted ground, across. */
+const PAINTED_PIXELS = 1536;
 /** How far the ground reaches. */
 const GROUND_METERS = 2_500_000;
 
@@ -91,52 +93,93 @@ void main() {
   color = vec4(disc);
 }`;
 
-/** A disc about the point under the eye, out to the horizon. */
-const GROUND_VERTEX = (relief: boolean) => `
-layout(location = 0) in vec3 place;
-${relief ? 'layout(location = 1) in vec3 relief;\nout vec3 v_relief;\nuniform vec3 u_sun, u_soil;' : ''}
-uniform mat4 u_clip;
-uniform float u_ground;
-uniform vec3 u_area;
-uniform float u_depth;
-${AIR_GLSL}
-out vec3 v_across;
-out float v_clarity;
+/** Colours of the ground in the sun and in shadow; what is left in a shadow is light of the blue sky. */
+const SHADED_GLSL = `
+uniform sampler2D u_map, u_sunlight;
+uniform float u_sunShare;
+/** across: in widths and depths of the scene's rectangle. */
+vec3 shaded(vec3 ground, vec2 across) {
+  vec2 inside = step(abs(across - 0.5), vec2(0.5));
+  float box = inside.x * inside.y;
+  float lit = mix(1.0, texture(u_sunlight, across).r, box);
+  return ground * mix(0.88, 1.0, box) * mix(vec3(1.0 - u_sunShare, 1.0 - 0.96 * u_sunShare, 1.0 - 0.84 * u_sunShare), vec3(1.0), lit);
+}
+`;
+
+/** The flat ground is painted once for a sun, from above, into a texture: a frame then costs one look into it. */
+const PAINT_VERTEX = `
+out vec2 v_at;
 void main() {
-  vec3 world = ${relief ? 'vec3(place.x, (place.y + u_ground) * u_exaggeration, place.z)' : 'vec3(place.x + u_eye.x, u_ground, place.z + u_eye.z)'};
-  gl_Position = u_clip * vec4(world, 1.0);
-  v_across = vec3((world.xz - u_area.xy) / vec2(u_area.z, u_depth), gl_Position.w);
-  v_clarity = clarity(world);
-  ${
-    relief
-      ? `// As the other formats draw it: lighter with height, shaded by slopes.
-  float facing = (u_sun.y - relief.x * u_sun.x - relief.y * u_sun.z) / length(vec3(relief.x, 1.0, relief.y));
-  float lit = clamp(facing / max(u_sun.y, 0.15), 0.0, 1.8);
-  vec3 linear = u_soil * mix(vec3(1.0), vec3(2.3, 1.6, 1.75), relief.z) * (0.45 + 0.55 * lit);
-  v_relief = 1.055 * pow(clamp(linear, 0.0031308, 1.0), vec3(1.0 / 2.4)) - 0.055;`
-      : ''
-  }
+  v_at = vec2(float((gl_VertexID & 1) * 2), float(gl_VertexID & 2));
+  gl_Position = vec4(2.0 * v_at - 1.0, 0.0, 1.0);
 }`;
 
-const GROUND_FRAGMENT = (relief: boolean, terrain: boolean) => `
-in vec3 v_across;
-in float v_clarity;
-${relief ? 'in vec3 v_relief;' : ''}
-uniform vec3 u_land, u_sea, u_horizon;
-uniform float u_sunShare;
+const PAINT_FRAGMENT = `
+in vec2 v_at;
 uniform vec4 u_mapArea;
-uniform sampler2D u_map, u_sunlight;
+uniform vec3 u_land, u_sea;
+${SHADED_GLSL}
+out vec4 color;
+void main() {
+  color = vec4(shaded(mix(u_sea, u_land, texture(u_map, v_at).r), u_mapArea.xy + v_at * u_mapArea.zw), 1.0);
+}`;
+
+/** A disc about the point under the eye, out to the horizon. */
+const FLAT_VERTEX = `
+layout(location = 0) in vec3 place;
+uniform mat4 u_clip;
+uniform float u_ground, u_depth;
+uniform vec3 u_area;
+uniform vec4 u_mapArea;
+${AIR_GLSL}
+out vec4 v_at;
+void main() {
+  vec3 world = vec3(place.x + u_eye.x, u_ground, place.z + u_eye.z);
+  gl_Position = u_clip * vec4(world, 1.0);
+  v_at = vec4(((world.xz - u_area.xy) / vec2(u_area.z, u_depth) - u_mapArea.xy) / u_mapArea.zw, clarity(world), gl_Position.w);
+}`;
+
+const FLAT_FRAGMENT = (terrain: boolean) => `
+in vec4 v_at;
+uniform vec3 u_horizon;
+uniform sampler2D u_painted;
 ${CLOUDS_GLSL(terrain)}
 out vec4 color;
 void main() {
-  vec2 inside = step(abs(v_across.xy - 0.5), vec2(0.5));
-  float box = inside.x * inside.y;
-  float land = texture(u_map, (v_across.xy - u_mapArea.xy) / u_mapArea.zw).r;
-  vec3 ground = ${relief ? 'v_relief' : 'mix(u_sea, u_land, land)'} * mix(0.88, 1.0, box);
-  // What is left in a shadow is light of the blue sky.
-  float lit = mix(1.0, texture(u_sunlight, v_across.xy).r, box);
-  ground *= mix(vec3(1.0 - u_sunShare, 1.0 - 0.96 * u_sunShare, 1.0 - 0.84 * u_sunShare), vec3(1.0), lit);
-  color = vec4(behindClouds(mix(u_horizon, ground, v_clarity), v_across.z), 1.0);
+  color = vec4(behindClouds(mix(u_horizon, texture(u_painted, v_at.xy).rgb, v_at.z), v_at.w), 1.0);
+}`;
+
+const RELIEF_VERTEX = `
+layout(location = 0) in vec3 place;
+layout(location = 1) in vec3 relief;
+uniform mat4 u_clip;
+uniform float u_ground, u_depth;
+uniform vec3 u_area, u_sun, u_soil;
+${AIR_GLSL}
+out vec4 v_at;
+out vec3 v_relief;
+void main() {
+  vec3 world = vec3(place.x, (place.y + u_ground) * u_exaggeration, place.z);
+  gl_Position = u_clip * vec4(world, 1.0);
+  v_at = vec4((world.xz - u_area.xy) / vec2(u_area.z, u_depth), clarity(world), gl_Position.w);
+  // As the other formats draw it: lighter with height, shaded by slopes.
+  float facing = (u_sun.y - relief.x * u_sun.x - relief.y * u_sun.z) / length(vec3(relief.x, 1.0, relief.y));
+  float lit = clamp(facing / max(u_sun.y, 0.15), 0.0, 1.8);
+  vec3 linear = u_soil * mix(vec3(1.0), vec3(2.3, 1.6, 1.75), relief.z) * (0.45 + 0.55 * lit);
+  v_relief = 1.055 * pow(clamp(linear, 0.0031308, 1.0), vec3(1.0 / 2.4)) - 0.055;
+}`;
+
+const RELIEF_FRAGMENT = `
+in vec4 v_at;
+in vec3 v_relief;
+uniform vec3 u_horizon, u_sea;
+uniform vec4 u_mapArea;
+${SHADED_GLSL}
+${CLOUDS_GLSL(true)}
+out vec4 color;
+void main() {
+  float land = texture(u_map, (v_at.xy - u_mapArea.xy) / u_mapArea.zw).r;
+  color = vec4(behindClouds(mix(u_horizon, shaded(mix(u_sea, v_relief, land), v_at.xy), v_at.z), v_at.w), 1.0);
 }`;
 
 const LINE_VERTEX = `
@@ -195,7 +238,12 @@ export class Backdrop {
   private sunColor: Vec3 = [1, 1, 1];
   private sun: Vec3 = [0, 1, 0];
   lines: Lines[] = [];
+  /** While the view moves, the faintest lines are left out: lines cost as much as triangles. */
+  faintest = 0;
   private readonly sky: Program;
+  private readonly paint: Program;
+  private readonly painted: Target;
+  private isPainted = false;
   private readonly flat: Program;
   private readonly relief: Program | null;
   private readonly line: Program;
@@ -210,8 +258,10 @@ export class Backdrop {
   constructor(private readonly gl: GL, private readonly area: Area, private readonly terrain: Mesh | null) {
     const withTerrain = terrain !== null;
     this.sky = new Program(gl, SKY_VERTEX, SKY_FRAGMENT(withTerrain));
-    this.flat = new Program(gl, GROUND_VERTEX(false), GROUND_FRAGMENT(false, withTerrain));
-    this.relief = withTerrain ? new Program(gl, GROUND_VERTEX(true), GROUND_FRAGMENT(true, true)) : null;
+    this.paint = new Program(gl, PAINT_VERTEX, PAINT_FRAGMENT);
+    this.painted = new Target(gl, false);
+    this.flat = new Program(gl, FLAT_VERTEX, FLAT_FRAGMENT(withTerrain));
+    this.relief = withTerrain ? new Program(gl, RELIEF_VERTEX, RELIEF_FRAGMENT) : null;
     this.line = new Program(gl, LINE_VERTEX, LINE_FRAGMENT(withTerrain));
     this.disc = new Program(gl, SUN_VERTEX, SUN_FRAGMENT(withTerrain));
     this.lattice = lattice(gl);
@@ -222,6 +272,7 @@ export class Backdrop {
   }
 
   setDaylight(daylight: Daylight, sun: Vec3): void {
+    this.isPainted = false;
     this.zenith = displayColor(daylight.zenith);
     this.horizon = displayColor(daylight.horizon);
     this.soil = daylight.ground;
@@ -233,6 +284,7 @@ export class Backdrop {
   }
 
   setSunlight(light: Uint8Array): void {
+    this.isPainted = false;
     const {gl} = this;
     gl.bindTexture(gl.TEXTURE_2D, this.sunlight);
     gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
@@ -240,11 +292,10 @@ export class Backdrop {
   }
 
   setLand(map: LandMap): void {
+    this.isPainted = false;
     const {gl} = this;
     gl.deleteTexture(this.map);
     this.map = byteTexture(gl, map.width, map.height, map.pixels);
-    gl.generateMipmap(gl.TEXTURE_2D);
-    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_NEAREST);
     this.mapPlace = map.place;
   }
 
@@ -283,7 +334,8 @@ export class Backdrop {
     gl.disable(gl.SCISSOR_TEST);
     if (camera.eye[1] > this.area.groundMeters) {
       this.common(this.flat, camera, exaggeration, near, clouds);
-      this.ground(this.flat, clip);
+      this.where(this.flat, clip);
+      this.flat.texture('u_painted', 1, this.painted.color!);
       this.plain.draw();
     }
     if (this.terrain) {
@@ -312,7 +364,9 @@ export class Backdrop {
     gl.enable(gl.DEPTH_TEST);
     gl.depthMask(true);
     this.common(this.relief!, camera, exaggeration, near, clouds);
-    this.ground(this.relief!, clip);
+    this.where(this.relief!, clip);
+    this.shade(this.relief!);
+    this.relief!.set('u_sun', ...this.sun).set('u_soil', ...this.soil);
     this.terrain!.draw();
     gl.depthMask(false);
     gl.disable(gl.DEPTH_TEST);
@@ -332,6 +386,7 @@ export class Backdrop {
       .set('u_ground', this.area.groundMeters)
       .set('u_stretch', this.terrain ? exaggeration : 1);
     for (const {mesh, opacity, color} of this.lines) {
+      if (opacity < this.faintest) continue;
       this.line.set('u_opacity', opacity).set('u_line', ...color);
       mesh.draw();
     }
@@ -350,28 +405,44 @@ export class Backdrop {
     if (clouds.depth) program.set('u_near', near).texture('u_cloudDepth', 4, clouds.depth);
   }
 
-  private ground(program: Program, clip: Float32Array): void {
+  private where(program: Program, clip: Float32Array): void {
     const {area} = this;
-    // A low sun casts long shadows that fade into the light of the sky.
     program
       .matrix('u_clip', clip)
       .set('u_ground', area.groundMeters)
       .set('u_area', area.lower[0], area.lower[1], area.width)
       .set('u_depth', area.depth)
-      .set('u_sun', ...this.sun)
-      .set('u_soil', ...this.soil)
-      .set('u_land', ...this.land)
+      .set('u_mapArea', ...this.mapPlace);
+  }
+
+  private shade(program: Program): void {
+    // A low sun casts long shadows that fade into the light of the sky.
+    program
       .set('u_sea', ...this.sea)
-      .set('u_sunShare', 0.5 * Math.min(1, Math.max(0, this.sun[1] / 0.25)))
-      .set('u_mapArea', ...this.mapPlace)
+      .set('u_sunShare', 0.5 * clamp(this.sun[1] / 0.25, 0, 1))
       .texture('u_map', 1, this.map)
       .texture('u_sunlight', 2, this.sunlight);
+  }
+
+  /** Paints the flat ground; the caller's target is to be bound anew. */
+  prepare(): void {
+    if (this.isPainted) return;
+    const {gl} = this;
+    this.painted.resize(PAINTED_PIXELS, PAINTED_PIXELS);
+    this.painted.bind();
+    this.paint.use().set('u_mapArea', ...this.mapPlace).set('u_land', ...this.land);
+    this.shade(this.paint);
+    gl.disable(gl.DEPTH_TEST);
+    gl.bindVertexArray(this.empty);
+    gl.drawArrays(gl.TRIANGLES, 0, 3);
+    gl.bindVertexArray(null);
+    this.isPainted = true;
   }
 }
 
 /** Points over the whole screen. */
 function lattice(gl: GL): Mesh {
-  const [columns, rows] = [32, 20];
+  const [columns, rows] = [16, 9];
   const values: number[] = [];
   const indices: number[] = [];
   for (let j = 0; j <= rows; ++j)
@@ -386,7 +457,7 @@ function lattice(gl: GL): Mesh {
 
 /** Rings about the origin, finer near it: colours that are given at the corners are then right in between. */
 function plain(gl: GL): Mesh {
-  const [sectors, rings, first] = [64, 40, 30];
+  const [sectors, rings, first] = [28, 18, 60];
   const values = [0, 0, 0];
   const indices: number[] = [];
   for (let r = 0; r < rings; ++r)

@@ -72,6 +72,7 @@ export class Renderer {
     this.begin(this.quickTarget, camera, clip, exaggeration);
     this.painter.draw(this.quick, 0, this.quick.count, clip, this.hasTerrain);
     this.shown = this.quickTarget;
+    this.backdrop.faintest = this.pace.canvas < 1 ? 0.3 : 0;
     this.compose(camera, near, exaggeration);
   }
 
@@ -97,12 +98,14 @@ export class Renderer {
 
   showFine(camera: Camera, near: number, exaggeration: number): void {
     this.shown = this.fineTarget;
+    this.backdrop.faintest = 0;
     this.compose(camera, near, exaggeration);
   }
 
   /** Sky and ground under the clouds that were drawn last. */
   compose(camera: Camera, near: number, exaggeration: number): void {
     const {gl} = this;
+    this.backdrop.prepare();
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     gl.viewport(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight);
     this.backdrop.draw(clipMatrix(camera, near), camera, exaggeration, near, this.shown);
