@@ -92,8 +92,9 @@ export class Readout {
     element('needle').style.transform = `rotate(${-degrees}deg)`;
     const names = ['north', 'north-east', 'east', 'south-east', 'south', 'south-west', 'west', 'north-west'];
     const bearing = Math.round((degrees + 360) % 360) % 360;
-    element('compass').setAttribute('aria-label', `Looking ${names[Math.round(bearing / 45) % 8]}, ${bearing} degrees. Turn the view to north`);
-    element('bearing').textContent = `${String(bearing).padStart(3, '0')}°`;
+    const shown = `${String(bearing).padStart(3, '0')}°`;
+    element('compass').setAttribute('aria-label', `N ${shown}: looking ${names[Math.round(bearing / 45) % 8]}. Turn the view to north`);
+    element('bearing').textContent = shown;
   }
 
   private placeLabels(camera: Camera): void {

@@ -27,7 +27,7 @@ function connectSun(viewer: Viewer, data: SceneData, valid: number): void {
   slider.value = String(minuteOfDay(valid));
   show(clockOf(minuteOfDay(valid)));
   slider.addEventListener('input', () => {
-    viewer.setSun(sunAt(atMinute(valid, slider.valueAsNumber), place[0], place[1]));
+    void viewer.setSun(sunAt(atMinute(valid, slider.valueAsNumber), place[0], place[1]));
     show(clockOf(slider.valueAsNumber));
   });
 }
@@ -51,7 +51,7 @@ function connectTime(viewer: Viewer, valid: number): void {
   show(0);
   slider.addEventListener('input', () => {
     const seconds = first + (slider.valueAsNumber / 1000) * (last - first);
-    viewer.setTime(seconds);
+    void viewer.setTime(seconds);
     show(seconds);
   });
 }

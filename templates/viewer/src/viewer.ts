@@ -14,7 +14,7 @@ import {daylightUnder, directionTo, type SunPlace} from './pack/daylight';
 import type {Area} from './pack/ground_shadow';
 import type {PackView} from './pack/pack_view';
 import type {Shape} from './pack/quads';
-import type {Layers, ListOrder} from './pack/sky_maker';
+import type {Layers, ListOrder, SkyMaker} from './pack/sky_maker';
 import type {SkyClient} from './pack/sky_client';
 import {pathAbout, type FlightPath} from './path';
 import {forwardOf, orbited, panned, poseTowards, sideOf, targetOf, turned, zoomed, type Pose} from './pose';
@@ -34,6 +34,8 @@ const FOLLOW_METERS_PER_SECOND = 240;
 const TURN_RADIANS_PER_SECOND = 0.7;
 /** After this long without a change the clouds are drawn at full resolution. */
 const REST_MILLISECONDS = 220;
+/** The shadows on the ground follow the sun after this long. */
+const SHADE_MILLISECONDS = 120;
 /** What a list of quads may lose while the view moves, in pixels of the coarse picture; and at rest, in those of the screen. */
 const QUICK_ERROR_PIXELS = 1.5;
 const FINE_ERROR_PIXELS = 2;
@@ -78,6 +80,9 @@ export class Viewer {
   private nearestMeters = 1000;
   private cloudsShown = true;
   private turnFrom = 0;
+  private readonly wanted = new Map<string, unknown>();
+  private changing: Promise<void> | null = null;
+  private shading = 0;
   /** Pixels of the screen under the canvas. */
   private screen = {widthPixels: 1280, heightPixels: 720};
 
@@ -100,8 +105,7 @@ export class Viewer {
     const renderer = new Renderer(gl, await spriteTexture(gl, pack), backdrop, terrain.exists);
     document.getElementById('stage')!.prepend(canvas);
     const viewer = new Viewer(data, frame, pack, sky, canvas, gl, backdrop, renderer, terrain, area);
-    viewer.setSun(viewer.sun);
-    await viewer.askList();
+    await viewer.setSun(viewer.sun);
     void viewer.addCoast();
     return viewer;
   }
@@ -205,26 +209,38 @@ export class Viewer {
     this.onChange();
   }
 
-  setSun(sun: SunPlace): void {
+  /** Resolves when the clouds are lit by the sun that was set last. */
+  async setSun(sun: SunPlace): Promise<void> {
     this.sun = sun;
-    const direction = directionTo(sun);
-    this.backdrop.setDaylight(daylightUnder(this.pack.root, sun.elevationDegrees), direction);
-    void this.sky.call('setSun', sun);
-    void this.shadeGround();
-    this.skyChanged();
+    this.backdrop.setDaylight(daylightUnder(this.pack.root, sun.elevationDegrees), directionTo(sun));
     this.onChange();
+    this.touch();
+    await this.changeSky('setSun', sun);
   }
 
-  setTime(seconds: number): void {
-    void this.sky.call('setTime', seconds);
-    void this.shadeGround();
-    this.skyChanged();
+  setTime(seconds: number): Promise<void> {
+    return this.changeSky('setTime', seconds);
   }
 
-  setLayers(layers: Layers): void {
-    void this.sky.call('setLayers', layers);
-    void this.shadeGround();
-    this.skyChanged();
+  setLayers(layers: Layers): Promise<void> {
+    return this.changeSky('setLayers', layers);
+  }
+
+  /** A slider asks for more skies than can be made: only the last that is asked for meanwhile is made next. */
+  private async changeSky<Name extends 'setSun' | 'setTime' | 'setLayers'>(method: Name, value: Parameters<SkyMaker[Name]>[0]): Promise<void> {
+    this.wanted.set(method, value);
+    while (this.changing) await this.changing;
+    if (!this.wanted.has(method)) return;
+    this.changing = (async () => {
+      const latest = this.wanted.get(method);
+      this.wanted.delete(method);
+      await (this.sky.call as (name: string, value: unknown) => Promise<void>)(method, latest);
+      this.skyChanged();
+      await this.askList();
+    })();
+    await this.changing.finally(() => (this.changing = null));
+    window.clearTimeout(this.shading);
+    this.shading = window.setTimeout(() => void this.shadeGround(), SHADE_MILLISECONDS);
   }
 
   showClouds(shown: boolean): void {
