@@ -41,6 +41,7 @@ async function keysWork(page) {
   const wasOpen = await page.$eval('#panel', (panel) => panel.open);
   await page.keyboard.press('l');
   expect((await page.$eval('#panel', (panel) => panel.open)) !== wasOpen, 'L does not open or close the panel');
+  await page.keyboard.press('l');
 }
 
 async function pointerWorks(page) {
