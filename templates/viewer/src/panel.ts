@@ -23,7 +23,6 @@ export function fillPanels(data: SceneData): void {
   const model = [data.model, data.run && `run of ${timeText(data.run)}`].filter(Boolean).join(', ');
   setText('model', model || 'model not named in the input');
   setText('files', data.files.join(', '));
-  setText('sun', `${data.sun.elevationDegrees.toFixed(0)}° high, azimuth ${data.sun.azimuthDegrees.toFixed(0)}°`);
   setText('clouds', data.counts.clouds.toLocaleString('en'));
   fillLegend(data);
   fillFidelity(data);

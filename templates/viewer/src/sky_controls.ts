@@ -17,11 +17,12 @@ function connectSun(viewer: Viewer, data: SceneData, valid: number): void {
   const slider = input('sun-minute');
   const text = document.getElementById('sun-text')!;
   const place = viewer.frame.toGeographic(viewer.frame.centerX, viewer.frame.centerZ) ?? [data.box.west, data.box.south];
-  const show = (clock: string) => {
+  const show = (clock: string): void => {
     const {azimuthDegrees, elevationDegrees} = viewer.sun;
+    const standing = `${Math.abs(elevationDegrees).toFixed(0)}° ${elevationDegrees < 0 ? 'below the horizon' : 'high'}`;
     text.textContent = `Sun ${clock}`;
-    slider.setAttribute('aria-valuetext', `${clock}, ${elevationDegrees.toFixed(0)} degrees high, azimuth ${azimuthDegrees.toFixed(0)}`);
-    document.getElementById('sun')!.textContent = `${elevationDegrees.toFixed(0)}° high, azimuth ${azimuthDegrees.toFixed(0)}°`;
+    slider.setAttribute('aria-valuetext', `${clock}, ${standing}, azimuth ${azimuthDegrees.toFixed(0)}°`);
+    document.getElementById('sun')!.textContent = `${standing}, azimuth ${azimuthDegrees.toFixed(0)}°`;
   };
   const clockOf = (minute: number) => `${twoDigits(Math.floor(minute / 60))}:${twoDigits(minute % 60)} UTC`;
   slider.value = String(minuteOfDay(valid));
