@@ -3,6 +3,7 @@
 option(CLOUDGEN_VIEWER "Build the web page if npm is there" ON)
 find_program(NPM npm)
 find_program(NODE node)
+find_program(FLATC flatc REQUIRED)
 if(NOT CLOUDGEN_VIEWER OR NOT NPM OR NOT NODE)
   message(STATUS "The web page is not built: ${CMAKE_CURRENT_LIST_FILE} needs npm, node and CLOUDGEN_VIEWER=ON")
   return()
@@ -11,7 +12,9 @@ endif()
 set(viewer_source "${PROJECT_SOURCE_DIR}/templates/viewer")
 set(viewer_build "${CMAKE_BINARY_DIR}/viewer/build")
 set(viewer_page "${CMAKE_BINARY_DIR}/viewer/viewer.html")
-file(GLOB viewer_sources CONFIGURE_DEPENDS "${viewer_source}/src/*.ts" "${viewer_source}/src/*.css")
+set(viewer_schema "${PROJECT_SOURCE_DIR}/schemas/runtime_pack.fbs")
+file(GLOB_RECURSE viewer_sources CONFIGURE_DEPENDS "${viewer_source}/src/*.ts" "${viewer_source}/src/*.css" "${viewer_source}/test/*.ts" "${viewer_source}/*.mjs")
+list(FILTER viewer_sources EXCLUDE REGEX "/src/schema/")
 
 # Packages are installed in the build folder, so that the source tree stays as it was.
 add_custom_command(
@@ -25,12 +28,17 @@ add_custom_command(
   VERBATIM)
 add_custom_command(
   OUTPUT "${viewer_page}"
-  COMMAND ${CMAKE_COMMAND} -E rm -rf "${viewer_build}/src"
-  COMMAND ${CMAKE_COMMAND} -E copy "${viewer_source}/bundle.mjs" "${viewer_source}/viewer.html" "${viewer_build}"
+  COMMAND ${CMAKE_COMMAND} -E rm -rf "${viewer_build}/src" "${viewer_build}/test"
+  COMMAND ${CMAKE_COMMAND} -E copy "${viewer_source}/bundle.mjs" "${viewer_source}/coast.mjs" "${viewer_source}/test.mjs" "${viewer_source}/viewer.html" "${viewer_build}"
   COMMAND ${CMAKE_COMMAND} -E copy_directory "${viewer_source}/src" "${viewer_build}/src"
+  COMMAND ${CMAKE_COMMAND} -E copy_directory "${viewer_source}/test" "${viewer_build}/test"
+  COMMAND "${FLATC}" --ts -o "${viewer_build}/src/schema" "${viewer_schema}"
   COMMAND "${NODE}" "${viewer_build}/bundle.mjs" "${viewer_page}"
-  DEPENDS "${viewer_build}/installed" ${viewer_sources} "${viewer_source}/bundle.mjs" "${viewer_source}/viewer.html"
+  DEPENDS "${viewer_build}/installed" ${viewer_sources} "${viewer_schema}" "${viewer_source}/viewer.html"
   COMMENT "Bundling the web page"
   VERBATIM)
 add_custom_target(cloudgen_viewer ALL DEPENDS "${viewer_page}")
 install(FILES "${viewer_page}" DESTINATION share/cloudgen/viewer OPTIONAL)
+if(CLOUDGEN_TESTS)
+  add_test(NAME viewer COMMAND "${NODE}" "${viewer_build}/test.mjs")
+endif()

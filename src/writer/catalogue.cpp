@@ -24,7 +24,7 @@ std::span<const Format> formats() {
       {"glb", "core glTF 2.0: instanced crossed cards", {"scene.glb"}, writeCards},
       {"pack", "realtime runtime pack (FlatBuffers)", {"scene.cgpack"}, writePack},
       {"tiles", "3D Tiles 1.1: a quadtree of splats or cards on the globe", {"tileset.json"}, writeTiles, true},
-      {"page", "a page that opens in any browser (shows the splats)", {"index.html"}, writePage, false, true},
+      {"page", "a page that opens in any browser (shows the pack)", {"index.html"}, writePage, false, true},
   };
   return kFormats;
 }

@@ -193,7 +193,7 @@ TEST_F(Verify, ABuildMayVerifyItself) {
 
 TEST_F(Verify, ThePageShowsWhatTheBuildFound) {
   const auto page = [&](const std::string& name, const Words& more) {
-    Words words{"build", sky, "-o", folder.path() / name, "--formats", "splats,page", "--max-puffs", "5000"};
+    Words words{"build", sky, "-o", folder.path() / name, "--formats", "splats,pack,page", "--max-puffs", "5000"};
     words.insert(words.end(), more.begin(), more.end());
     const Ran ran = runCloudgen(words);
     if (ran.exitCode == 3) return json();  // the page needs npm

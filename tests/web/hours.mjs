@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One theatre from morning to evening, as `cloudgen preview`, the page (three.js) and X_ITE draw it from the same place.
+// One theatre from morning to evening, as `cloudgen preview`, the page and X_ITE draw it from the same place.
 //   node tests/web/hours.mjs PROGRAM SKY.sky.json SHEET.png [--keep DIR]
 // Writes a contact sheet, an hour a row, and prints mean luminances. Slow (minutes): not a part of the tests.
 import {execFileSync} from 'node:child_process';
@@ -42,11 +42,7 @@ function pagePicture(folder, view) {
         return [x, height, z];
       };
       const place = {eye: inScene(eye), target: inScene(target)};
-      viewer.camera.position.set(...place.eye);
-      viewer.orbit.target.set(...place.target);
-      viewer.camera.lookAt(...place.target);
-      viewer.splats.sortAgain();
-      viewer.requestFrame();
+      viewer.place(place.eye, place.target);
       return place;
     }, view);
     await page.addStyleTag({content: '* {visibility: hidden} canvas {visibility: visible !important}'});
@@ -119,7 +115,7 @@ try {
   for (const hour of HOURS) {
     const [file, folder, preview] = [`${hour}.sky.json`, `${hour}`, `${hour}.png`].map((name) => join(work, name));
     await writeFile(file, JSON.stringify(atHour(sky, hour)));
-    execFileSync(program, ['build', file, '-o', folder, '--formats', 'x3d,splats,page', '--max-puffs', '60000', '--overwrite', '--quiet'], {stdio: ['ignore', 'ignore', 'inherit']});
+    execFileSync(program, ['build', file, '-o', folder, '--formats', 'x3d,splats,pack,page', '--max-puffs', '60000', '--overwrite', '--quiet'], {stdio: ['ignore', 'ignore', 'inherit']});
     execFileSync(program, ['preview', folder, '-o', preview, '--size', `${SIZE.width}x${SIZE.height}`, `--view=${view.eye}:${view.target}`, '--quiet']);
     const page = await pagePicture(folder, view);
     const row = [await readFile(preview), page.png, await xitePicture(folder, page.place)];

@@ -14,9 +14,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* kSplatsFile = "scene.splats.glb";
+constexpr const char* kPackFile = "scene.cgpack";
 constexpr std::string_view kSceneSlot = "id=\"cloudgen-scene\">";
-constexpr std::string_view kSplatsSlot = "id=\"cloudgen-splats\">";
+constexpr std::string_view kPackSlot = "id=\"cloudgen-pack\">";
 
 std::string viewerTemplate() {
   const fs::path folder = base::viewerDir();
@@ -57,29 +57,29 @@ void appendBase64(std::ostream& out, const fs::path& file) {
 
 }  // namespace
 
-void writePage(const scene::Scene& scene, const Destination& destination, std::uint64_t largestSplatsInPage) {
-  const fs::path splats = destination.folder / kSplatsFile;
+void writePage(const scene::Scene& scene, const Destination& destination, std::uint64_t largestPackInPage) {
+  const fs::path pack = destination.folder / kPackFile;
   std::error_code missing;
-  const std::uint64_t bytes = fs::file_size(splats, missing);
+  const std::uint64_t bytes = fs::file_size(pack, missing);
   if (missing)
-    throw base::OutputError("index.html", "the page shows the splats, and they were not written",
-                            "add splats to --formats, as in --formats splats,page");
+    throw base::OutputError("index.html", "the page shows the runtime pack, and it was not written",
+                            "add pack to --formats, as in --formats pack,page");
   const std::string page = viewerTemplate();
-  const std::size_t sceneAt = slotIn(page, kSceneSlot), splatsAt = slotIn(page, kSplatsSlot);
-  if (splatsAt < sceneAt)
+  const std::size_t sceneAt = slotIn(page, kSceneSlot), packAt = slotIn(page, kPackSlot);
+  if (packAt < sceneAt)
     throw base::OutputError("viewer.html", "its slots stand in the wrong order",
                             "build the page again from its sources");
 
-  const bool inside = bytes <= largestSplatsInPage;
-  PageParts parts{bytes, inside ? "" : kSplatsFile, destination.verification, {}};
+  const bool inside = bytes <= largestPackInPage;
+  PageParts parts{bytes, inside ? "" : kPackFile, destination.verification, {}};
   if (!parts.verification.empty()) parts.maps = mapsIn(destination.folder);
   destination.progress.step("page", 0);
   const fs::path target = destination.folder / "index.html";
   std::ofstream out(target, std::ios::binary | std::ios::trunc);
   out << std::string_view(page).substr(0, sceneAt) << pageData(scene, parts)
-      << std::string_view(page).substr(sceneAt, splatsAt - sceneAt);
-  if (inside) appendBase64(out, splats);
-  out << std::string_view(page).substr(splatsAt);
+      << std::string_view(page).substr(sceneAt, packAt - sceneAt);
+  if (inside) appendBase64(out, pack);
+  out << std::string_view(page).substr(packAt);
   out.close();
   if (!out) {
     std::error_code ignored;
@@ -91,7 +91,7 @@ void writePage(const scene::Scene& scene, const Destination& destination, std::u
 }
 
 void writePage(const scene::Scene& scene, const Destination& destination) {
-  writePage(scene, destination, kLargestSplatsInPage);
+  writePage(scene, destination, kLargestPackInPage);
 }
 
 }  // namespace cloudgen::writer

@@ -136,15 +136,11 @@ std::string pageData(const scene::Scene& scene, const PageParts& parts) {
   data["highestTopMeters"] = printed(scene::highestTop(scene));
   data["sun"] = {{"azimuthDegrees", std::round(scene.sun.azimuthDegrees * 100) / 100},
                  {"elevationDegrees", std::round(scene.sun.elevationDegrees * 100) / 100},
-                 {"direction", triple(scene.sun.direction)},
-                 {"color", triple(scene.sun.color)}};
-  data["sky"] = {{"zenith", triple(scene.sky.zenith)},
-                 {"horizon", triple(scene.sky.horizon)},
-                 {"ground", triple(scene.sky.ground)}};
+                 {"direction", triple(scene.sun.direction)}};
   data["counts"] = {{"clouds", scene.clouds.size()}, {"puffs", scene::drawnPuffs(scene)}};
   data["genera"] = generaOf(scene);
-  data["splats"] = {{"bytes", parts.splatsBytes},
-                    {"file", parts.splatsFile.empty() ? Json(nullptr) : Json(parts.splatsFile)}};
+  data["pack"] = {{"bytes", parts.packBytes},
+                  {"file", parts.packFile.empty() ? Json(nullptr) : Json(parts.packFile)}};
   if (!parts.verification.empty()) data["verification"] = Json::parse(parts.verification);
   for (const PageParts::Map& map : parts.maps)
     data["maps"].push_back(

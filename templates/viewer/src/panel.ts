@@ -23,7 +23,6 @@ export function fillPanels(data: SceneData): void {
   const model = [data.model, data.run && `run of ${timeText(data.run)}`].filter(Boolean).join(', ');
   setText('model', model || 'model not named in the input');
   setText('files', data.files.join(', '));
-  setText('sun', `${data.sun.elevationDegrees.toFixed(0)}° high, azimuth ${data.sun.azimuthDegrees.toFixed(0)}°`);
   setText('clouds', data.counts.clouds.toLocaleString('en'));
   fillLegend(data);
   fillFidelity(data);
@@ -38,8 +37,11 @@ function fillLegend(data: SceneData): void {
   for (const genus of data.genera) {
     const row = document.createElement('li');
     row.dataset.genus = genus.abbreviation;
+    const label = row.appendChild(document.createElement('label'));
+    const box = label.appendChild(document.createElement('input'));
+    [box.type, box.value, box.checked] = ['checkbox', genus.abbreviation, true];
     const add = (kind: string, text: string) => {
-      const part = row.appendChild(document.createElement('span'));
+      const part = label.appendChild(document.createElement('span'));
       part.className = kind;
       part.textContent = text;
       return part;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-import {PerspectiveCamera, Raycaster, Vector2, Vector3} from 'three/webgpu';
+import {axesOf, projected, rayThrough, type Camera} from './camera';
 import {placeText, type Frame} from './frame';
-import type {GroundLabel} from './ground';
+import {heightText, lengthText} from './heights';
+import {along, distance, type Vec3} from './math';
+import type {Viewer} from './viewer';
 
-const METERS_PER_FOOT = 0.3048;
+const TEXT_MILLISECONDS = 120;
 
 function element(id: string): HTMLElement {
   const found = document.getElementById(id);
@@ -11,106 +13,102 @@ function element(id: string): HTMLElement {
   return found;
 }
 
-function lengthText(meters: number): string {
-  return meters >= 1000 ? `${(meters / 1000).toLocaleString('en', {maximumFractionDigits: meters < 10_000 ? 1 : 0})} km` : `${Math.round(meters)} m`;
-}
-
 /** Scale bar, compass, coordinates, camera height and the labels of the graticule. */
 export class Readout {
-  private readonly caster = new Raycaster();
-  private readonly pointer = new Vector2();
-  private pointerInside = false;
+  private due = 0;
+  private pointer: {u: number; v: number} | null = null;
   private readonly labelElements: HTMLElement[] = [];
+  private readonly frame: Frame;
 
-  constructor(
-    private readonly frame: Frame,
-    private readonly camera: PerspectiveCamera,
-    private readonly surface: HTMLElement,
-    private readonly groundMeters: number,
-    private readonly labels: GroundLabel[],
-  ) {
-    for (const label of labels) {
+  constructor(private readonly viewer: Viewer) {
+    this.frame = viewer.frame;
+    for (const label of viewer.lines.labels) {
       const text = document.createElement('span');
       text.textContent = label.text;
       this.labelElements.push(element('labels').appendChild(text));
     }
-    surface.addEventListener('pointermove', (event) => {
-      this.pointerInside = event.pointerType === 'mouse';
-      this.pointer.set((event.offsetX / surface.clientWidth) * 2 - 1, 1 - (event.offsetY / surface.clientHeight) * 2);
-      this.showPlace();
+    const {canvas} = viewer;
+    canvas.addEventListener('pointermove', (event) => {
+      this.pointer = event.pointerType === 'mouse' ? {u: event.offsetX / canvas.clientWidth, v: event.offsetY / canvas.clientHeight} : null;
+      this.showPlace(viewer.camera);
     });
-    surface.addEventListener('pointerleave', () => {
-      this.pointerInside = false;
-      this.showPlace();
+    canvas.addEventListener('pointerleave', () => {
+      this.pointer = null;
+      this.showPlace(viewer.camera);
     });
   }
 
-  /** Everything that depends on the camera. */
-  update(target: Vector3, exaggeration: number): void {
-    const trueHeight = this.camera.position.y / exaggeration;
-    element('height').textContent = `${lengthText(trueHeight)} / ${(Math.round(trueHeight / METERS_PER_FOOT / 10) * 10).toLocaleString('en')} ft`;
-    this.showPlace();
-    this.showScale(target);
-    this.showCompass();
-    this.placeLabels();
+  /** Everything that depends on the camera; texts not in every frame, as they cost more than the eye can read. */
+  update(): void {
+    const {camera} = this.viewer;
+    this.placeLabels(camera);
+    if (this.due) return;
+    this.due = window.setTimeout(() => this.updateTexts(), TEXT_MILLISECONDS);
   }
 
-  private onGround(screen: Vector2): Vector3 | null {
-    this.caster.setFromCamera(screen, this.camera);
-    const {origin, direction} = this.caster.ray;
-    if (direction.y >= -1e-4) return null;
-    const point = origin.clone().addScaledVector(direction, (this.groundMeters - origin.y) / direction.y);
-    return point.distanceTo(origin) < 6 * this.frame.size + 100_000 ? point : null;
+  private updateTexts(): void {
+    const {camera} = this.viewer;
+    this.due = 0;
+    element('height').textContent = heightText(camera.eye[1] / this.viewer.exaggeration);
+    this.showPlace(camera);
+    this.showScale(camera);
+    this.showCompass(camera);
   }
 
-  private showPlace(): void {
-    const point = this.onGround(this.pointerInside ? this.pointer : new Vector2(0, 0));
-    const place = point && this.frame.toGeographic(point.x, point.z);
-    element('place-of').textContent = this.pointerInside ? 'Pointer' : 'Centre';
-    element('place').textContent =
-      place && point ? placeText(place[0], place[1], this.metersPerPixel(point.distanceTo(this.camera.position))) : 'sky';
+  private onGround(camera: Camera, u: number, v: number): Vec3 | null {
+    const ray = rayThrough(camera, u, v);
+    if (ray[1] >= -1e-4) return null;
+    const way = (this.viewer.groundMeters - camera.eye[1]) / ray[1];
+    return way < 6 * this.frame.size + 100_000 ? along(camera.eye, way, ray) : null;
   }
 
-  private metersPerPixel(distance: number): number {
-    return (2 * distance * Math.tan((this.camera.fov * Math.PI) / 360)) / this.surface.clientHeight;
+  private showPlace(camera: Camera): void {
+    const point = this.onGround(camera, this.pointer?.u ?? 0.5, this.pointer?.v ?? 0.5);
+    const place = point && this.frame.toGeographic(point[0], point[2]);
+    element('place-of').textContent = this.pointer ? 'Pointer' : 'Centre';
+    element('place').textContent = place && point ? placeText(place[0], place[1], this.metersPerPixel(camera, distance(point, camera.eye))) : 'sky';
   }
 
-  private showScale(target: Vector3): void {
-    const center = this.onGround(new Vector2(0, 0));
-    const distance = (center ?? target).distanceTo(this.camera.position);
-    const widest = 110 * this.metersPerPixel(distance);
+  private metersPerPixel(camera: Camera, away: number): number {
+    return (2 * away * Math.tan(0.5 * camera.fieldRadians)) / this.viewer.canvas.clientHeight;
+  }
+
+  private showScale(camera: Camera): void {
+    const center = this.onGround(camera, 0.5, 0.5) ?? this.viewer.target;
+    const away = distance(center, camera.eye);
+    const widest = 110 * this.metersPerPixel(camera, away);
     const power = Math.pow(10, Math.floor(Math.log10(widest)));
     const length = [5, 2, 1].map((digit) => digit * power).find((candidate) => candidate <= widest) ?? power;
-    element('scale-bar').style.width = `${length / this.metersPerPixel(distance)}px`;
-    element('scale-text').textContent = `${lengthText(length)} at ${lengthText(distance)} away`;
+    element('scale-bar').style.width = `${length / this.metersPerPixel(camera, away)}px`;
+    element('scale-text').textContent = `${lengthText(length)} at ${lengthText(away)} away`;
   }
 
-  private showCompass(): void {
-    const heading = this.camera.getWorldDirection(new Vector3());
+  private showCompass(camera: Camera): void {
+    const {forward, up} = axesOf(camera);
     // Looking straight down, the top of the picture is the heading.
-    if (Math.hypot(heading.x, heading.z) < 0.05) heading.set(0, 1, 0).applyQuaternion(this.camera.quaternion);
-    const north = this.frame.northAt(this.camera.position.x, this.camera.position.z);
-    const degrees = ((Math.atan2(heading.x, -heading.z) - north) * 180) / Math.PI;
+    const heading = Math.hypot(forward[0], forward[2]) < 0.05 ? up : forward;
+    const north = this.frame.northAt(camera.eye[0], camera.eye[2]);
+    const degrees = ((Math.atan2(heading[0], -heading[2]) - north) * 180) / Math.PI;
     element('needle').style.transform = `rotate(${-degrees}deg)`;
     const names = ['north', 'north-east', 'east', 'south-east', 'south', 'south-west', 'west', 'north-west'];
     const bearing = Math.round((degrees + 360) % 360) % 360;
-    element('compass').setAttribute('aria-label', `Looking ${names[Math.round(bearing / 45) % 8]}, ${bearing} degrees. Turn the view to north`);
-    element('bearing').textContent = `${String(bearing).padStart(3, '0')}°`;
+    const shown = `${String(bearing).padStart(3, '0')}°`;
+    element('compass').setAttribute('aria-label', `N ${shown}: looking ${names[Math.round(bearing / 45) % 8]}. Turn the view to north`);
+    element('bearing').textContent = shown;
   }
 
-  private placeLabels(): void {
-    const point = new Vector3();
+  private placeLabels(camera: Camera): void {
+    const {canvas, groundMeters, lines} = this.viewer;
     const taken: [number, number][] = [];
-    this.labels.forEach((label, index) => {
+    lines.labels.forEach((label, index) => {
       const text = this.labelElements[index];
-      point.set(label.x, this.groundMeters, label.z);
+      const place: Vec3 = [label.x, groundMeters, label.z];
+      const seen = projected(camera, place);
       // From near the ground the far borders lie on the horizon, where labels would only crowd.
-      const grazing = (this.camera.position.y - this.groundMeters) / point.distanceTo(this.camera.position);
-      point.project(this.camera);
-      const x = ((point.x + 1) / 2) * this.surface.clientWidth;
-      const y = ((1 - point.y) / 2) * this.surface.clientHeight;
-      const shown =
-        grazing > 0.01 && point.z < 1 && Math.abs(point.x) < 0.98 && Math.abs(point.y) < 0.98 && taken.every(([a, b]) => Math.abs(a - x) > 44 || Math.abs(b - y) > 18);
+      const grazing = (camera.eye[1] - groundMeters) / distance(place, camera.eye);
+      const [x, y] = [(seen?.u ?? 2) * canvas.clientWidth, (seen?.v ?? 2) * canvas.clientHeight];
+      const inside = seen !== null && Math.abs(2 * seen.u - 1) < 0.98 && Math.abs(2 * seen.v - 1) < 0.98;
+      const shown = grazing > 0.01 && inside && taken.every(([a, b]) => Math.abs(a - x) > 44 || Math.abs(b - y) > 18);
       text.hidden = !shown;
       if (!shown) return;
       taken.push([x, y]);

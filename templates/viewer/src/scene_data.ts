@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
-/** Linear red, green, blue; may exceed 1. */
-export type Color = [number, number, number];
+import type {Vec3} from './math';
 
 export interface GenusCount {
   abbreviation: string;
@@ -52,11 +51,10 @@ export interface SceneData {
   groundHeightMeters: number;
   terrain?: TerrainData;
   highestTopMeters: number;
-  sun: {azimuthDegrees: number; elevationDegrees: number; direction: Color; color: Color};
-  sky: {zenith: Color; horizon: Color; ground: Color};
+  sun: {azimuthDegrees: number; elevationDegrees: number; direction: Vec3};
   counts: {clouds: number; puffs: number};
   genera: GenusCount[];
-  splats: {bytes: number; file: string | null};
+  pack: {bytes: number; file: string | null};
   /** Not there if the build did not verify the scene. */
   verification?: Fidelity;
   /** Maps of it: the file beside the page, and the picture itself as a data address. */
@@ -65,7 +63,7 @@ export interface SceneData {
 
 function slotText(id: string): string {
   const text = document.getElementById(id)?.textContent?.trim() ?? '';
-  if (!text) throw new Error(`This page holds no scene (its slot "${id}" is empty). Make it with: cloudgen build … --formats splats,page`);
+  if (!text) throw new Error(`This page holds no scene (its slot "${id}" is empty). Make it with: cloudgen build … --formats pack,page`);
   return text;
 }
 
@@ -86,15 +84,26 @@ export function bytesFromBase64(text: string): Uint8Array<ArrayBuffer> {
   return bytes;
 }
 
-/** The GLB with the splats: from the page itself, or for very large scenes from the file beside it. */
-export async function readSplats(data: SceneData): Promise<ArrayBuffer> {
-  if (!data.splats.file) return bytesFromBase64(slotText('cloudgen-splats')).buffer;
+/** The runtime pack: from the page itself, or for very large scenes from the file beside it; `progress` gets the share that is there. */
+export async function readPack(data: SceneData, progress: (share: number) => void): Promise<ArrayBuffer> {
+  if (!data.pack.file) return bytesFromBase64(slotText('cloudgen-pack')).buffer;
   if (location.protocol === 'file:')
     throw new Error(
       `This scene is too large to stand inside the page. Serve its folder (for example: python3 -m http.server) ` +
-        `and open index.html through that address; the page then reads ${data.splats.file} from beside it.`,
+        `and open index.html through that address; the page then reads ${data.pack.file} from beside it.`,
     );
-  const answer = await fetch(data.splats.file);
-  if (!answer.ok) throw new Error(`${data.splats.file}: the server answered ${answer.status}`);
-  return answer.arrayBuffer();
+  const answer = await fetch(data.pack.file);
+  if (!answer.ok || !answer.body) throw new Error(`${data.pack.file}: the server answered ${answer.status}`);
+  const bytes = new Uint8Array(data.pack.bytes);
+  let at = 0;
+  for (const reader = answer.body.getReader(); ; ) {
+    const {done, value} = await reader.read();
+    if (done) break;
+    if (at + value.length > bytes.length) throw new Error(`${data.pack.file} is not the one that this page was made with`);
+    bytes.set(value, at);
+    at += value.length;
+    progress(at / bytes.length);
+  }
+  if (at !== bytes.length) throw new Error(`${data.pack.file} is cut short: ${at} bytes of ${bytes.length}`);
+  return bytes.buffer;
 }

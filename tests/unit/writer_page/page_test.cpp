@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 constexpr const char* kViewer =
     "<html><script type=\"application/json\" id=\"cloudgen-scene\"></script>\n"
     "<script type=\"application/octet-stream;base64\" "
-    "id=\"cloudgen-splats\"></script><script>run()</script></html>";
+    "id=\"cloudgen-pack\"></script><script>run()</script></html>";
 
 scene::Scene skyWithTwoClouds() {
   scene::Scene scene{.frame = base::LocalFrame({-122.6, 36.2, -121.2, 37.2})};
@@ -52,34 +52,34 @@ class Page : public testing::Test {
   fs::path root_;
 };
 
-TEST_F(Page, HoldsTheSplatsAndTheSceneAndTheViewer) {
-  base::writeFile(out().folder / "scene.splats.glb", "foobar");
+TEST_F(Page, HoldsThePackAndTheSceneAndTheViewer) {
+  base::writeFile(out().folder / "scene.cgpack", "foobar");
   writePage(skyWithTwoClouds(), out());
   const std::string page = written();
-  EXPECT_NE(page.find("id=\"cloudgen-splats\">Zm9vYmFy</script><script>run()</script></html>"),
+  EXPECT_NE(page.find("id=\"cloudgen-pack\">Zm9vYmFy</script><script>run()</script></html>"),
             std::string::npos);
   EXPECT_NE(page.find("\"validTime\":\"2011-01-15T12:00:00Z\""), std::string::npos);
 }
 
 TEST_F(Page, JoinsTheBlocksOfALargeFile) {
   const std::string bytes((3u << 18) * 2 + 1, 'a');
-  base::writeFile(out().folder / "scene.splats.glb", bytes);
+  base::writeFile(out().folder / "scene.cgpack", bytes);
   writePage(skyWithTwoClouds(), out());
   const std::string page = written();
-  const std::size_t start = page.find("splats\">") + 8, end = page.find("</script>", start);
+  const std::size_t start = page.find("pack\">") + 6, end = page.find("</script>", start);
   EXPECT_EQ(end - start, (bytes.size() + 2) / 3 * 4);
   EXPECT_EQ(page.substr(end - 4, 4), "YQ==");
 }
 
-TEST_F(Page, LeavesVeryLargeSplatsBesideIt) {
-  base::writeFile(out().folder / "scene.splats.glb", "foobar");
+TEST_F(Page, LeavesAVeryLargePackBesideIt) {
+  base::writeFile(out().folder / "scene.cgpack", "foobar");
   writePage(skyWithTwoClouds(), out(), 5);
-  EXPECT_NE(written().find("id=\"cloudgen-splats\"></script>"), std::string::npos);
-  EXPECT_NE(written().find("\"file\":\"scene.splats.glb\""), std::string::npos);
+  EXPECT_NE(written().find("id=\"cloudgen-pack\"></script>"), std::string::npos);
+  EXPECT_NE(written().find("\"file\":\"scene.cgpack\""), std::string::npos);
 }
 
 TEST_F(Page, ShowsWhatVerifyFoundAndItsMaps) {
-  base::writeFile(out().folder / "scene.splats.glb", "foobar");
+  base::writeFile(out().folder / "scene.cgpack", "foobar");
   fs::create_directories(out().folder / "verify");
   base::writeFile(out().folder / "verify/cover.png", "foobar");
   Destination verified = out();
@@ -93,24 +93,24 @@ TEST_F(Page, ShowsWhatVerifyFoundAndItsMaps) {
   EXPECT_EQ(written().find("cover.png"), std::string::npos);
 }
 
-TEST_F(Page, WithoutSplatsSaysWhatToAdd) {
+TEST_F(Page, WithoutPackSaysWhatToAdd) {
   try {
     writePage(skyWithTwoClouds(), out());
-    FAIL() << "a page without splats was written";
+    FAIL() << "a page without a pack was written";
   } catch (const base::OutputError& error) {
-    EXPECT_NE(error.hint().find("add splats"), std::string::npos);
+    EXPECT_NE(error.hint().find("add pack"), std::string::npos);
   }
   EXPECT_FALSE(fs::exists(out().folder / "index.html"));
 }
 
 TEST_F(Page, ViewerWithoutSlotsIsRefused) {
   base::writeFile(root_ / "data/viewer/viewer.html", "<html></html>");
-  base::writeFile(out().folder / "scene.splats.glb", "foobar");
+  base::writeFile(out().folder / "scene.cgpack", "foobar");
   EXPECT_THROW(writePage(skyWithTwoClouds(), out()), base::OutputError);
 }
 
 TEST_F(Page, TwoRunsWriteTheSameBytes) {
-  base::writeFile(out().folder / "scene.splats.glb", "foobar");
+  base::writeFile(out().folder / "scene.cgpack", "foobar");
   writePage(skyWithTwoClouds(), out());
   const std::string first = written();
   writePage(skyWithTwoClouds(), out());
@@ -118,18 +118,18 @@ TEST_F(Page, TwoRunsWriteTheSameBytes) {
 }
 
 TEST(PageData, CountsGeneraWithTheirHeights) {
-  const auto data = nlohmann::json::parse(pageData(skyWithTwoClouds(), {.splatsBytes = 6}));
+  const auto data = nlohmann::json::parse(pageData(skyWithTwoClouds(), {.packBytes = 6}));
   ASSERT_EQ(data["genera"].size(), 2u);
   EXPECT_EQ(data["genera"][0]["abbreviation"], "Ci");
   EXPECT_EQ(data["genera"][1]["count"], 2);
   EXPECT_EQ(data["genera"][1]["lowestBaseMeters"], 800);
   EXPECT_EQ(data["genera"][1]["highestTopMeters"], 2100);
-  EXPECT_EQ(data["splats"]["bytes"], 6);
-  EXPECT_TRUE(data["splats"]["file"].is_null());
+  EXPECT_EQ(data["pack"]["bytes"], 6);
+  EXPECT_TRUE(data["pack"]["file"].is_null());
 }
 
 TEST(PageData, TellsWhereAndWhatWithoutFolders) {
-  const auto data = nlohmann::json::parse(pageData(skyWithTwoClouds(), {.splatsBytes = 6}));
+  const auto data = nlohmann::json::parse(pageData(skyWithTwoClouds(), {.packBytes = 6}));
   EXPECT_EQ(data["title"], "Clouds of GFS, 36.2 to 37.2°N, 122.6 to 121.2°W");
   EXPECT_EQ(data["files"][0], "gfs.grib2");
 }
@@ -137,7 +137,7 @@ TEST(PageData, TellsWhereAndWhatWithoutFolders) {
 TEST(PageData, NothingInItEndsTheScriptElement) {
   scene::Scene scene = skyWithTwoClouds();
   scene.provenance.model = "</script><script>alert(1)</script>";
-  const std::string text = pageData(scene, {.splatsBytes = 6});
+  const std::string text = pageData(scene, {.packBytes = 6});
   EXPECT_EQ(text.find('<'), std::string::npos);
   EXPECT_NE(nlohmann::json::parse(text)["title"].get<std::string>().find("</script>"), std::string::npos);
 }
@@ -145,7 +145,7 @@ TEST(PageData, NothingInItEndsTheScriptElement) {
 TEST(PageData, SurvivesANameThatIsNotUtf8) {
   scene::Scene scene = skyWithTwoClouds();
   scene.provenance.model = "mod\xe8le";
-  EXPECT_NO_THROW(nlohmann::json::parse(pageData(scene, {.splatsBytes = 6})));
+  EXPECT_NO_THROW(nlohmann::json::parse(pageData(scene, {.packBytes = 6})));
 }
 
 }  // namespace

@@ -2,37 +2,14 @@
 // index.html as a user opens it: from the disk, with mouse and keys, on a desk and on a telephone.
 import {existsSync} from 'node:fs';
 import {readFile} from 'node:fs/promises';
+import {createRequire} from 'node:module';
 import {join} from 'node:path';
 import {pathToFileURL} from 'node:url';
 import {withPage} from '../lib/browser.mjs';
 import {expectDrawn, keep} from '../lib/picture.mjs';
 import {until} from './drawing.mjs';
-
-const SECONDS = 90;
-
-function expect(condition, what) {
-  if (!condition) throw new Error(what);
-}
-
-const position = (page) => page.evaluate(() => window.cloudgen.cameraPosition);
-const frames = (page) => page.evaluate(() => window.cloudgen.frames);
-const apart = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-
-/** Waits for a picture that stays. */
-async function rest(page) {
-  let last = -1;
-  await until(
-    async () => {
-      const now = await frames(page);
-      const still = now === last;
-      last = now;
-      await page.waitForTimeout(600);
-      return still;
-    },
-    SECONDS,
-    'the page still draws, though nothing changes,',
-  );
-}
+import {controlsWork} from './page_controls.mjs';
+import {apart, expect, position, rest, SECONDS} from './page_state.mjs';
 
 async function viewButtonsWork(page, picturePath) {
   const places = [];
@@ -44,28 +21,6 @@ async function viewButtonsWork(page, picturePath) {
     await keep(`${picturePath}.${name}.png`, await page.screenshot({timeout: SECONDS * 1000}));
   }
   expect(apart(places[0], places[1]) > 1000 && apart(places[1], places[2]) > 1000, 'view buttons do not move the camera');
-}
-
-async function keysWork(page) {
-  await page.keyboard.press('f');
-  expect((await page.textContent('#mode')) === 'Flying', 'F does not turn flying on');
-  for (const key of ['w', 'd', 'e']) {
-    const before = await position(page);
-    const drawn = await frames(page);
-    await page.keyboard.down(key);
-    await until(async () => (await frames(page)) > drawn + 1, SECONDS, `no picture while ${key} is held`);
-    await page.keyboard.up(key);
-    expect(apart(before, await position(page)) > 10, `key ${key} does not move the camera`);
-  }
-  await page.keyboard.press('f');
-  await page.keyboard.press('h');
-  expect(await page.isVisible('#help'), 'H does not open the help');
-  await page.keyboard.press('Escape');
-  expect(!(await page.isVisible('#help')), 'Escape does not close the help');
-  await page.focus('#exaggeration');
-  await page.keyboard.press('ArrowRight');
-  expect((await page.textContent('#exaggeration-text')) === 'heights × 2', 'the slider does not tell the exaggeration');
-  await page.keyboard.press('ArrowLeft');
 }
 
 async function legendListsGenera(page, folder) {
@@ -88,10 +43,19 @@ async function fidelityIsTold(page, folder) {
   expect(shown === told, `fidelity: the page says ${shown}, the report ${told}`);
 }
 
+/** What axe-core finds that keeps people out. */
+async function noSeriousFindings(page) {
+  // The page's policy lets no script in: the driver's own context may.
+  await page.evaluate(await readFile(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8'));
+  const {violations} = await page.evaluate(() => window.axe.run());
+  const grave = violations.filter(({impact}) => impact === 'serious' || impact === 'critical');
+  expect(!grave.length, `axe: ${grave.map(({id, nodes}) => `${id} (${nodes.map((node) => node.target).join(' ')})`).join(', ')}`);
+}
+
 async function everythingFits(page) {
   const outside = await page.evaluate(() =>
     [...document.querySelectorAll('button, input, summary, #readout')]
-      .filter((element) => element.checkVisibility() && !element.closest('dialog'))
+      .filter((element) => element.checkVisibility() && !element.closest('dialog, ul, #levels, .file'))
       .filter((element) => {
         const {left, right, top, bottom} = element.getBoundingClientRect();
         return left < 0 || top < 0 || right > innerWidth + 0.5 || bottom > innerHeight + 0.5;
@@ -123,11 +87,12 @@ export async function pageWorks(folder, size, picturePath) {
     await page.evaluate(() => window.cloudgen.showClouds(true));
 
     await viewButtonsWork(page, picturePath);
-    await keysWork(page);
+    await controlsWork(page, folder);
+    await noSeriousFindings(page);
     expect(!seen.errors.length, `console: ${seen.errors.join(' | ')}`);
     const fetched = seen.requests.filter((request) => request !== address && !/^(data|blob):/.test(request));
     expect(!fetched.length, `the page asked for ${fetched.join(', ')}`);
-    const {splats, backend} = await page.evaluate(() => ({splats: window.cloudgen.splatCount, backend: window.cloudgen.backend}));
-    return `${splats} splats by ${backend}, ready after ${ready} s, ${share} of the picture are cloud`;
+    const {puffs, divisor} = await page.evaluate(() => window.cloudgen.drawing);
+    return `${puffs} puffs at 1/${divisor} while moving, ready after ${ready} s, ${share} of the picture are cloud`;
   });
 }
