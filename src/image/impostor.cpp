@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "image/png_encoding.hpp"
 #include "image/tiles.hpp"
 #include "image/volume.hpp"
 #include "light/color.hpp"
@@ -51,6 +52,11 @@ glm::dvec2 onHemiOctahedron(const glm::dvec3& direction) {
 glm::dvec3 impostorDirection(int column, int row, int viewsAcross) {
   const double last = std::max(1, viewsAcross - 1);
   return hemiOctahedron({2.0 * column / last - 1.0, 2.0 * row / last - 1.0});
+}
+
+std::string depthPng(const ImpostorAtlas& atlas) {
+  return encodedPng(OIIO::ImageSpec(atlas.color.width, atlas.color.height, 1, OIIO::TypeDesc::UINT16),
+                    atlas.depth.data());
 }
 
 ImpostorAtlas bakeImpostor(std::span<const shape::Puff> puffs, std::span<const light::PuffLight> lights,

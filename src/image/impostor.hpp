@@ -36,6 +36,9 @@ struct ImpostorAtlas {
   std::vector<std::uint16_t> depth;
 };
 
+/// The depths as a PNG of one channel of 16 bits.
+std::string depthPng(const ImpostorAtlas& atlas);
+
 /// The direction from a cloud towards the eye of a view, by the hemi-octahedral map (Cigolle et al. 2014, "A
 /// survey of efficient representations for independent unit vectors"; y up): u, v in -1..1 to a unit vector
 /// with y >= 0.

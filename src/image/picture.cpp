@@ -2,17 +2,17 @@
 #include "image/picture.hpp"
 
 #include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "image/png_encoding.hpp"
 
 namespace cloudgen::image {
 
-std::string pngBytes(const ByteImage& image, PngEffort effort) {
+std::string encodedPng(OIIO::ImageSpec spec, const void* pixels) {
   const auto fail = [](const std::string& reason) {
     throw base::OutputError("PNG", "a picture cannot be encoded (" + reason + ")",
                             "check the installation of OpenImageIO");
@@ -21,6 +21,14 @@ std::string pngBytes(const ByteImage& image, PngEffort effort) {
   if (!writer) fail("OpenImageIO has no PNG writer");
   std::vector<unsigned char> bytes;
   OIIO::Filesystem::IOVecOutput proxy(bytes);
+  if (!writer->set_ioproxy(&proxy) || !writer->open("memory.png", spec)) fail(writer->geterror());
+  const bool written = writer->write_image(spec.format, pixels);
+  const std::string reason = writer->geterror();
+  if (!writer->close() || !written) fail(reason);
+  return {bytes.begin(), bytes.end()};
+}
+
+std::string pngBytes(const ByteImage& image, PngEffort effort) {
   OIIO::ImageSpec spec(image.width, image.height, image.channels, OIIO::TypeDesc::UINT8);
   if (image.channels == 2) {
     spec.channelnames = {"Y", "A"};
@@ -28,11 +36,7 @@ std::string pngBytes(const ByteImage& image, PngEffort effort) {
   }
   if (image.channels != 3) spec.attribute("oiio:UnassociatedAlpha", 1);
   spec.attribute("png:compressionLevel", effort == PngEffort::Quick ? 3 : 9);
-  if (!writer->set_ioproxy(&proxy) || !writer->open("memory.png", spec)) fail(writer->geterror());
-  const bool written = writer->write_image(OIIO::TypeDesc::UINT8, image.bytes.data());
-  const std::string reason = writer->geterror();
-  if (!writer->close() || !written) fail(reason);
-  return {bytes.begin(), bytes.end()};
+  return encodedPng(spec, image.bytes.data());
 }
 
 void writePng(const std::filesystem::path& file, const ByteImage& image, PngEffort effort) {

@@ -6,6 +6,14 @@
 #include <glm/common.hpp>
 
 namespace cloudgen::light {
+namespace {
+
+constexpr float kMost = 0.9f;
+
+float flattening(const shape::Puff& puff) { return puff.sigma.y / std::max(puff.sigma.x, puff.sigma.z); }
+float flatness(float flattening) { return 1 - glm::smoothstep(0.2f, 0.32f, flattening); }
+
+}  // namespace
 
 Layer::Layer(const ExtinctionGrid& cloud) : lower_(cloud.lower().y), cell_(cloud.cellMeters()) {
   const glm::ivec3 size = cloud.size();
@@ -45,17 +53,17 @@ float Layer::depthFrom(float heightMeters, float rise) const {
 }
 
 float layerShare(std::span<const shape::Puff> puffs, const ExtinctionGrid& grid) {
-  constexpr float kMost = 0.9f;
   const glm::vec3 size(grid.size());
   const float aspect = std::min(size.x, size.z) / size.y;
   double flat = 0, whole = 1e-12;
   for (const shape::Puff& puff : puffs) {
     const double area = shape::extinctionArea(puff);
-    flat += area * puff.sigma.y / std::max(puff.sigma.x, puff.sigma.z);
+    flat += area * flattening(puff);
     whole += area;
   }
-  const float flatness = 1 - glm::smoothstep(0.2f, 0.32f, static_cast<float>(flat / whole));
-  return kMost * glm::smoothstep(1.2f, 2.2f, aspect) * flatness;
+  return kMost * glm::smoothstep(1.2f, 2.2f, aspect) * flatness(static_cast<float>(flat / whole));
 }
+
+float layerShare(const shape::Puff& puff) { return kMost * flatness(flattening(puff)); }
 
 }  // namespace cloudgen::light

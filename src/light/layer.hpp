@@ -24,5 +24,7 @@ class Layer {
 
 /// 0..1: how much a cloud is to be lit as a part of a layer: one that is wider than deep and made of flat puffs.
 float layerShare(std::span<const shape::Puff> puffs, const ExtinctionGrid& grid);
+/// The same for one puff of any cloud, by how flat it is.
+float layerShare(const shape::Puff& puff);
 
 }  // namespace cloudgen::light

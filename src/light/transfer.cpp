@@ -30,6 +30,8 @@ constexpr float kSpread = 0.93f;
 /// Thinning of the depths for what goes on nearly straight (most of a forward peak), by which a puff also
 /// knows where outside is.
 constexpr float kClear = 0.5f;
+/// PuffTransfer::upward of what begins to be a level top.
+constexpr float kLevelFrom = 0.75f;
 
 /// What light goes through to a cloud's puffs: the cloud, and, for a piece of a layer, what lies about it.
 class Medium {
@@ -38,6 +40,8 @@ class Medium {
       : sweep_(grid), layer_(grid), share_(layerShare(puffs, grid)), cell_(grid.cellMeters()) {}
 
   float cellMeters() const { return cell_; }
+  /// As layerShare().
+  float layer() const { return share_; }
   void sweepTowards(const glm::vec3& direction) {
     sweep_.towards(direction);
     rise_ = direction.y;
@@ -165,7 +169,7 @@ std::vector<Place> placesOf(std::span<const shape::Puff> puffs, Medium& medium, 
     glm::vec3& normal = places[p].normal;
     normal *= 2.0f / (open[p] + 1e-12f);
     if (glm::dot(normal, normal) > 1) normal = glm::normalize(normal);
-    transfers[p].upward = normal.y;
+    transfers[p].upward = upwardOf(normal.y, std::max(medium.layer(), layerShare(puffs[p])));
     for (std::size_t j = 0; j < directions.size(); ++j) {
       const float skin = places[p].skinDepth(directions[j], depths[j].skin[p], depths[j].middle[p]);
       places[p].direct.push_back(transmitted(reduction * skin));
@@ -181,6 +185,14 @@ float about(const std::vector<float>& shares, const std::vector<float>& values) 
   float sum = 0;
   for (std::size_t i = 0; i < values.size(); ++i) sum += shares[i] * values[i];
   return sum;
+}
+
+/// Where the outside lies for what is seen of a puff. A heap's top faces the sun with one side and not with the other;
+/// a layer as a whole is level, and of it whatever looks up a little is a level top.
+float upwardOf(float upward, float layer) {
+  const float from = glm::mix(kLevelFrom, -0.1f, layer), to = glm::mix(1.0f, 0.4f, layer);
+  const float share = std::clamp((upward - from) / (to - from), 0.0f, 1.0f);
+  return share > 0 ? std::max(upward, glm::mix(kLevelFrom, 1.0f, share)) : upward;
 }
 
 /// What is let through towards a puff and on from it, by all orders, along the light of one sun.
@@ -281,7 +293,7 @@ float brightAnswer(std::span<const shape::Puff> puffs, std::span<const PuffTrans
 
 }  // namespace
 
-float levelOf(const PuffTransfer& transfer) { return glm::smoothstep(0.75f, 1.0f, transfer.upward); }
+float levelOf(const PuffTransfer& transfer) { return glm::smoothstep(kLevelFrom, 1.0f, transfer.upward); }
 
 float seenArea(const shape::Puff& puff, const PuffTransfer& transfer) {
   return puff.sigma.x * puff.sigma.z * transfer.visibility;

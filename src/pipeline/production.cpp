@@ -9,7 +9,7 @@
 
 #include "base/thread.hpp"
 #include "light/extinction_grid.hpp"
-#include "light/optics.hpp"
+#include "light/genus_light.hpp"
 #include "light/shade.hpp"
 #include "light/shadow.hpp"
 #include "pipeline/archetype.hpp"
@@ -41,33 +41,6 @@ scene::Archetype makeArchetype(const ArchetypeKey& key, const Options& options,
   return archetype;
 }
 
-/// Cirrocumulus shows no shading at all, cirrus and cirrostratus next to none (WMO atlas). The small elements
-/// of altocumulus and the rolls of stratocumulus light each other, which their archetype does not know.
-float shadingOf(base::Genus genus) {
-  if (genus == base::Genus::Cirrocumulus) return 0.05f;
-  if (genus == base::Genus::Cirrus || genus == base::Genus::Cirrostratus) return 0.2f;
-  if (genus == base::Genus::Altocumulus) return 0.7f;
-  if (genus == base::Genus::Stratocumulus) return 0.85f;
-  return 1.0f;
-}
-
-/// Ice scatters less sharply forward than droplets do.
-float asymmetryOf(base::Genus genus) {
-  using base::Genus;
-  const bool ice = genus == Genus::Cirrus || genus == Genus::Cirrocumulus || genus == Genus::Cirrostratus;
-  return ice ? light::kIceAsymmetry : light::kWaterAsymmetry;
-}
-
-/// Where clouds of a genus see the sun from, metres: the middles of the etages of the WMO, and the tops of
-/// cumulonimbus, which are all that a low sun reaches. High clouds glow when it has set for low ones.
-double lightHeightOf(base::Genus genus) {
-  using base::Genus;
-  if (genus == Genus::Cirrus || genus == Genus::Cirrocumulus || genus == Genus::Cirrostratus) return 9000;
-  if (genus == Genus::Cumulonimbus) return 8000;
-  if (genus == Genus::Altocumulus || genus == Genus::Altostratus) return 4500;
-  return 1000;
-}
-
 /// The puffs as the light meets them: an element of a sheet stands among others that overlap it.
 std::vector<shape::Puff> amongNeighbours(const scene::Archetype& archetype, const shape::Recipe& recipe) {
   std::vector<shape::Puff> puffs = archetype.puffs;
@@ -88,11 +61,11 @@ scene::LitArchetype lightArchetype(std::uint32_t index, int yawStep, const scene
   const glm::quat turnBack = glm::angleAxis(-scene::yawRadians(yawStep), glm::vec3(0, 1, 0));
   const light::Lighting lighting{
       turnBack * origin.sun.direction,
-      light::sunColorAt(origin.sun.elevationDegrees, lightHeightOf(archetype.genus)), origin.sky};
+      light::sunColorAt(origin.sun.elevationDegrees, light::lightHeightOf(archetype.genus)), origin.sky};
   scene::LitArchetype lit;
   lit.archetype = index;
   lit.yawStep = yawStep;
-  lit.puffs = light::shadePuffs(archetype.puffs, transfer, lighting, shadingOf(archetype.genus));
+  lit.puffs = light::shadePuffs(archetype.puffs, transfer, lighting, light::shadingOf(archetype.genus));
   lit.farPuffs = light::averageLight(archetype.puffs, lit.puffs, archetype.farPuffs);
   lit.onePuff = light::averageLight(archetype.puffs, lit.puffs, std::span(&archetype.onePuff, 1)).front();
   return lit;
@@ -150,9 +123,9 @@ scene::Scene produce(const field::CloudTable& table, const Origin& origin, const
     const light::ExtinctionGrid grid =
         gridOf(archetype, options.recipes.of(archetype.genus, isThin(keys[a].layerClass)));
     const light::CloudTransfer transfer =
-        light::bakeTransfer(archetype.puffs, grid, asymmetryOf(archetype.genus));
-    archetype.response = light::responseOf(archetype.puffs, transfer, shadingOf(archetype.genus),
-                                           static_cast<float>(lightHeightOf(archetype.genus)));
+        light::bakeTransfer(archetype.puffs, grid, light::asymmetryOf(archetype.genus));
+    archetype.response = light::responseOf(archetype.puffs, transfer, light::shadingOf(archetype.genus),
+                                           static_cast<float>(light::lightHeightOf(archetype.genus)));
     for (const std::uint32_t i : litsOf[a])
       scene.lit[i] = lightArchetype(lits[i].first, lits[i].second, archetype, transfer, origin);
   });

@@ -25,6 +25,7 @@ class CellLayer {
       : across_(across),
         pitch_(request.widthMeters / across),
         stretch_((1.0 + 0.8 * recipe.fibre) / (1.0 + 0.8 * recipe.waves)),
+        rolls_(recipe.genus == base::Genus::Stratocumulus ? recipe.waves : 0),
         seed_(request.seed * 31 + request.variant) {
     for (int row = -kRim; row < across + kRim; ++row)
       for (int column = -kRim; column < across + kRim; ++column)
@@ -51,13 +52,16 @@ class CellLayer {
     double nearest = 1e30;
     for (int i = std::max(0, row - 2); i <= std::min(side - 1, row + 2); ++i)
       for (int k = std::max(0, column - 2); k <= std::min(side - 1, column + 2); ++k)
-        if (i != row || k != column)
-          nearest = std::min(nearest, distance(cells_[static_cast<std::size_t>(i * side + k)], x, z));
+        if (i != row || k != column) {
+          const double joined = k == column ? 1.0 + kJoining * rolls_ : 1.0;
+          nearest = std::min(nearest, joined * distance(cells_[static_cast<std::size_t>(i * side + k)], x, z));
+        }
     return (nearest - distance(cells_[index], x, z)) / pitch_;
   }
 
  private:
   static constexpr int kRim = 1;
+  static constexpr double kJoining = 0.8;  ///< how much further away its neighbour in a roll seems to a cell
 
   double distance(const Cell& cell, double x, double z) const {
     return std::hypot((x - cell.x) / stretch_, (z - cell.z) * stretch_);
@@ -90,6 +94,7 @@ class CellLayer {
 
   int across_;
   double pitch_, stretch_;
+  double rolls_;  ///< 0 cells apart .. 1 joined across the wind, as the large ones of stratocumulus are
   std::uint64_t seed_;
   std::vector<Cell> cells_;
 };
@@ -127,9 +132,9 @@ Puff puffIn(const CellLayer& layer, std::size_t index, const Recipe& recipe, con
   Puff puff;
   const double size = sigma * stream.uniform(0.75, 1.25) * (0.7 + 0.3 * level);
   double y = std::max(low, low + (top - low) * level);
-  const double sigmaY =
-      std::min({size * recipe.flattening, 0.25 * cell.height, 0.6 * y + 0.03 * request.depthMeters});
-  y = std::min(y, request.depthMeters - 0.8 * sigmaY);
+  // None lies flat on the base: seen from below it would be a disc.
+  const double sigmaY = std::min(size * recipe.flattening, 0.25 * cell.height);
+  y = std::min(std::max(y, 1.1 * sigmaY), request.depthMeters - 0.8 * sigmaY);
   const double narrower = cell.turret ? 1.0 - 0.65 * y / cell.height : 1.0;
   puff.center = glm::dvec3(cell.x + (x - cell.x) * narrower, y, cell.z + (z - cell.z) * narrower);
   const double across = size * std::sqrt(narrower);

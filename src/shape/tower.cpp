@@ -46,12 +46,12 @@ void addColumn(std::vector<Lobe>& lobes, const Recipe& recipe, const ShapeReques
     }
   }
   // The dome that overshoots: a cluster, the tallest in the middle.
-  const double dome = 0.06 * width;
+  const double dome = std::min(0.06 * width, 0.1 * depth);
   lobes.push_back({{axis(depth), depth - dome, 0}, dome, 7, 0, {0, 1, 0}});
   for (int bubble = 0; bubble < 5; ++bubble) {
     const double angle = 2.0 * std::numbers::pi * (bubble + stream.uniform(0, 0.6)) / 5;
     const double radius = dome * stream.uniform(0.5, 0.8);
-    lobes.push_back({{axis(depth) + dome * std::cos(angle), depth - dome * stream.uniform(1.3, 1.9),
+    lobes.push_back({{axis(depth) + dome * std::cos(angle), depth - dome * stream.uniform(1.1, 1.7),
                       dome * std::sin(angle)},
                      radius,
                      7,
@@ -80,6 +80,7 @@ void addFlankingLine(std::vector<Lobe>& lobes, const ShapeRequest& request, int 
 }
 
 constexpr double kUpwindReach = 0.16, kAnvilLength = 1.05;  ///< of the anvil, in widths
+constexpr double kAnvilTop = 0.90;                          ///< in depths: the dome overshoots by the rest
 
 /// Height of the anvil's underside in depths: it rises from the column to all sides.
 double anvilUnderside(double along, double across) {
@@ -113,14 +114,15 @@ void addAnvil(std::vector<Puff>& puffs, const ShapeRequest& request, int count, 
     const double rim = 1.0 - base::smoothStep(0.4, 1.0, std::abs(across) + 0.4 * streak);
     const double thin = 1.0 - base::smoothStep(reach - 0.7, reach + 0.15, along);
     const double upwind = base::smoothStep(0.0, 0.1, along);
-    const double upper = 0.90 - 0.015 * along - 0.02 * across * across;
+    const double upper = kAnvilTop - 0.015 * along - 0.02 * across * across;
     const double lower = std::min(upper - 0.015, anvilUnderside(along, across) + 0.05 * streak);
     const double half = anvilHalfBreadth(along);
-    const double y = depth * (lower + (upper - lower) * stream.uniform());
+    const double sigmaY = std::max(0.16 * (upper - lower) * depth, 20.0);
+    // Its top is level, so that the dome stands over it.
+    const double y = std::min(depth * (lower + (upper - lower) * stream.uniform()), depth * upper - 1.2 * sigmaY);
     Puff puff;
     puff.center = glm::dvec3(start + along * kAnvilLength * width, y, across * half * width);
-    puff.sigma = glm::vec3(std::min(1.1 * spacing * larger, 2 * widest),
-                           std::max(0.16 * (upper - lower) * depth, 20.0),
+    puff.sigma = glm::vec3(std::min(1.1 * spacing * larger, 2 * widest), sigmaY,
                            std::min(0.5 * spacing * larger, widest) * stream.uniform(0.7, 1.3));
     const double diverging = across * 0.13 / std::sqrt(along + 0.05) / kAnvilLength;
     puff.rotation = turnedAlong({1, 0.03 * stream.gaussian(), diverging});

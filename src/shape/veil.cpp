@@ -50,7 +50,7 @@ RawShape shapeVeil(const Recipe& recipe, const ShapeRequest& request) {
       puff.section = static_cast<std::uint16_t>(blockZ * blocks + blockX);
       shape.puffs.push_back(puff);
       // Scud below the layer: small torn rags.
-      if (fills.uniform() < 0.10 * recipe.raggedness && recipe.genus != base::Genus::Fog) {
+      if (fills.uniform() < 0.22 * recipe.raggedness && recipe.genus != base::Genus::Fog) {
         Puff rag = puff;
         const double s = size * fills.uniform(0.18, 0.4);
         rag.center.y = static_cast<float>(depth * fills.uniform(0.02, 0.15));

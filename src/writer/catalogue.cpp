@@ -6,6 +6,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "writer/gltf/gltf.hpp"
+#include "writer/impostors/impostors.hpp"
 #include "writer/pack/pack.hpp"
 #include "writer/page/page.hpp"
 #include "writer/ply/ply.hpp"
@@ -24,6 +25,7 @@ std::span<const Format> formats() {
       {"glb", "core glTF 2.0: instanced crossed cards", {"scene.glb"}, writeCards},
       {"pack", "realtime runtime pack (FlatBuffers)", {"scene.cgpack"}, writePack},
       {"tiles", "3D Tiles 1.1: a quadtree of splats or cards on the globe", {"tileset.json"}, writeTiles, true},
+      {"impostors", "pictures of each cloud from all sides, with depth", {"impostors.json"}, writeImpostors, true},
       {"page", "a page that opens in any browser (shows the pack)", {"index.html"}, writePage, false, true},
   };
   return kFormats;

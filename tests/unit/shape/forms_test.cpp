@@ -85,6 +85,19 @@ TEST(Forms, TheAnvilOverhangsDownwindAndThinsThere) {
   EXPECT_GT(between(0.45, 0.6), 0);
 }
 
+TEST(Forms, TheDomeStandsOverTheAnvil) {
+  const double width = 20000, depth = 11000;
+  const CloudShape cloud = shaped(base::Genus::Cumulonimbus, width, depth, 4000);
+  double dome = 0, anvil = 0;
+  for (const Puff& puff : cloud.puffs) {
+    const bool ofAnvil = puff.sigma.x > 1.5f * puff.sigma.y && puff.center.y > 0.75 * depth;
+    double& top = ofAnvil ? anvil : dome;
+    top = std::max<double>(top, puff.center.y + puff.sigma.y);
+  }
+  EXPECT_GT(dome, anvil + 0.06 * depth);
+  EXPECT_GT(anvil, 0.8 * depth);
+}
+
 TEST(Forms, NothingLargeIsRoundInCirrus) {
   for (const bool even : {false, true})
     for (const Puff& puff : shaped(base::Genus::Cirrus, 10000, 1000, 600, even).puffs)
@@ -107,6 +120,33 @@ TEST(Forms, StratocumulusHasLanes) {
   const double empty = static_cast<double>(std::count(puffs.begin(), puffs.end(), 0)) / (kAcross * kAcross);
   EXPECT_GT(empty, 0.05);
   EXPECT_LT(empty, 0.5);
+}
+
+// Across the wind a roll goes on where cells would end.
+TEST(Forms, CellsAreJoinedIntoRolls) {
+  Recipe recipe = test::recipeOf(base::Genus::Stratocumulus);
+  const double width = 15000;
+  const auto crossings = [&](float rolls) {
+    recipe.waves = rolls;
+    const CloudShape cloud = generate(recipe, {width, 700, 20, 0, 6000, 5, 0});
+    constexpr int kAcross = 40;
+    std::vector<int> puffs(kAcross * kAcross);
+    for (const Puff& puff : cloud.puffs) {
+      const int x = static_cast<int>((puff.center.x / width + 0.25) * 2 * kAcross),
+                z = static_cast<int>((puff.center.z / width + 0.25) * 2 * kAcross);
+      if (std::min(x, z) >= 0 && std::max(x, z) < kAcross) ++puffs[static_cast<std::size_t>(z * kAcross + x)];
+    }
+    // How often a border between cloud and none is crossed: along the rolls, and across.
+    int along = 0, across = 0;
+    for (int z = 0; z + 1 < kAcross; ++z)
+      for (int x = 0; x + 1 < kAcross; ++x) {
+        const auto at = [&](int i, int k) { return puffs[static_cast<std::size_t>(k * kAcross + i)] > 0; };
+        along += at(x, z) != at(x, z + 1);
+        across += at(x, z) != at(x + 1, z);
+      }
+    return static_cast<double>(along) / across;
+  };
+  EXPECT_LT(crossings(1), 0.8 * crossings(0));
 }
 
 TEST(Forms, CastellanusStandsOverItsLayer) {
