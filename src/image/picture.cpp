@@ -35,6 +35,30 @@ std::string pngBytes(const ByteImage& image) {
   return {bytes.begin(), bytes.end()};
 }
 
+ByteImage imageFromPng(std::span<const unsigned char> bytes) {
+  const auto fail = [](const std::string& reason) {
+    throw base::InputError("PNG", "a picture cannot be read (" + reason + ")", "make the file again");
+  };
+  OIIO::Filesystem::IOMemReader proxy(const_cast<unsigned char*>(bytes.data()), bytes.size());
+  OIIO::ImageSpec wanted;
+  wanted.attribute("oiio:UnassociatedAlpha", 1);
+  const auto reader = OIIO::ImageInput::open("memory.png", &wanted, &proxy);
+  if (!reader) fail(OIIO::geterror());
+  const OIIO::ImageSpec& spec = reader->spec();
+  const auto pixels = static_cast<size_t>(spec.width) * static_cast<size_t>(spec.height),
+             channels = static_cast<size_t>(spec.nchannels);
+  std::vector<unsigned char> stored(pixels * channels);
+  if (!reader->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, stored.data())) fail(reader->geterror());
+  ByteImage image{spec.width, spec.height, 4, std::vector<unsigned char>(pixels * 4, 255)};
+  const bool isGrey = channels < 3;
+  for (size_t i = 0; i < pixels; ++i)
+    for (size_t c = 0; c < 4; ++c) {
+      const size_t from = !isGrey ? c : c < 3 ? 0 : 1;
+      if (from < channels) image.bytes[4 * i + c] = stored[channels * i + from];
+    }
+  return image;
+}
+
 void writePng(const std::filesystem::path& file, const ByteImage& image) {
   base::writeFile(file, pngBytes(image));
 }

@@ -30,6 +30,7 @@ class DrawList {
   /// What `update` must not keep: the clouds or the detail changed.
   void forget() noexcept { isMade_ = isMaking_ = false; }
 
+  std::size_t capacity() const noexcept { return keys_.size(); }
   std::span<const DrawPuff> puffs() const noexcept { return {lists_[shown_].data(), count_}; }
   float orderErrorMeters() const noexcept { return orderError_; }
   const Selection& selection() const noexcept { return selection_; }

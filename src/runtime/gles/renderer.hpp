@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "runtime/gles/gl_objects.hpp"
+#include "runtime/gles/pack_textures.hpp"
+#include "runtime/gles/resolution.hpp"
+#include "runtime/gles/sky_table.hpp"
+#include "runtime/runtime.hpp"
+
+namespace cloudgen::runtime::gles {
+
+struct RendererOptions {
+  /// Clouds are drawn at this share of the picture's resolution, at most.
+  float finestScale = 1;
+  /// They are drawn coarser where frames take longer than this; 0: never.
+  float targetMilliseconds = 0;
+};
+
+/// Draws what a runtime says into a framebuffer, with OpenGL ES 3.0: sky, ground with the clouds' shadows, the clouds by
+/// their puffs, far ones first, and haze. The runtime must outlive it, and the context in which it was made must be
+/// current. Nothing throws; nothing is allocated by `draw`.
+class Renderer {
+ public:
+  /// For pictures of at most this size.
+  Status make(const Runtime& runtime, DecodePng decode, int mostWidth, int mostHeight, const RendererOptions& options) noexcept;
+  /// After Runtime::setSun.
+  void setLight() noexcept;
+  /// `sceneMeters`, where it is not 0, is a texture of the picture's size whose red channel says how far from the eye the
+  /// application's own things are: clouds fade softly into them. `frameMilliseconds` is what the frame before took.
+  void draw(const Frame& frame, const Camera& camera, GLuint framebuffer, double frameMilliseconds = 0) noexcept;
+  /// Share of the picture's resolution that the clouds are drawn at now.
+  float scale() const noexcept { return resolution_.scale(); }
+
+ private:
+  Status makePrograms() noexcept;
+  void makePatches();
+  void useProgram(const Program& program, const Camera& camera) noexcept;
+  void drawPuffs(std::size_t first, std::size_t count) noexcept;
+  void drawShadows(const Frame& frame) noexcept;
+  void lightFrom(float eyeHeight) noexcept;
+
+  const Runtime* runtime_ = nullptr;
+  RendererOptions options_;
+  Resolution resolution_;
+  PackTextures textures_;
+  std::unique_ptr<SkyTable> skyTable_;
+  Program puffProgram_, pictureProgram_, shadowProgram_;
+  Texture sky_, cloudLight_, shadow_, patches_;
+  Framebuffer cloudTarget_, shadowTarget_;
+  Buffer drawBuffer_, lockBuffer_;
+  VertexArray puffArray_, noArray_;
+  int mostWidth_ = 0, mostHeight_ = 0;
+  std::array<float, 4> shadowBox_{};
+  float shadowCell_ = 1, skyHeight_ = 0;
+  bool isNew_ = true, isShadowOld_ = true, isSkyOld_ = true;
+};
+
+}  // namespace cloudgen::runtime::gles

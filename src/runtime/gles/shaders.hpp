@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+/// GLSL ES 3.00. What is `common` comes before both stages of every program.
+namespace cloudgen::runtime::gles::shader {
+
+/// Sky, haze and the camera.
+extern const char* const kCommon;
+/// A quad a puff: an ellipse of its Gaussian as the eye sees it, and in it a sprite that the six light maps shade.
+extern const char* const kPuffVertex;
+extern const char* const kPuffFragment;
+/// One triangle over the whole picture.
+extern const char* const kPictureVertex;
+/// Sky and ground, the clouds before them, the sun's glare, and the tone curve of a photograph.
+extern const char* const kPictureFragment;
+/// A puff's optical depth as it is thrown on the ground along the sun.
+extern const char* const kShadowVertex;
+extern const char* const kShadowFragment;
+
+}  // namespace cloudgen::runtime::gles::shader
