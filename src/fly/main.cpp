@@ -24,6 +24,7 @@ struct Line {
   std::filesystem::path output;
   int frames = 100, every = 25;
   std::uint64_t seed = 1;
+  bool plain = false;
   double seconds = 0, sunDegreesPerFrame = 0, targetFps = 0;
 };
 
@@ -67,7 +68,15 @@ class Cockpit {
       throw base::UsageError("--size " + line.size, "is not WIDTHxHEIGHT with sides of 16 to 8192 pixels", "as in --size 1280x720");
     width_ = static_cast<int>(size[0]);
     height_ = static_cast<int>(size[1]);
-    orThrow(sky_.open(line.pack.c_str()), line.pack, "cloudgen build INPUT -o DIR --formats pack makes one");
+    runtime::RuntimeOptions options;
+    if (line.plain) {
+      // Every cloud in every detail, and all sorted in every frame.
+      options.detail.errorPixels = 0;
+      options.lazy = {.moveMeters = 0, .turnRadians = 4, .slices = 1};
+    } else {
+      options.detail.impostorPixels = 40;
+    }
+    orThrow(sky_.open(line.pack.c_str(), options), line.pack, "cloudgen build INPUT -o DIR --formats pack makes one");
     if (!line.endless.empty()) orThrow(sky_.startEndless({line.endless, line.seed}), "--endless " + line.endless, "as in --endless d200");
     const auto& sun = *sky_.pack().root().sun();
     sun_ = {sun.azimuth_degrees(), sun.elevation_degrees()};
@@ -158,6 +167,7 @@ int main(int count, char** arguments) {
   app.add_option("--sun-moves", line.sunDegreesPerFrame, "degrees of azimuth a frame");
   app.add_option("--time", line.seconds, "seconds from the pack's valid time");
   app.add_option("--fps", line.targetFps, "draw clouds coarser where frames take longer than this asks for");
+  app.add_flag("--plain", line.plain, "no culling, levels of detail, impostors or lazy order: to see what they save");
   try {
     app.parse(count, arguments);
     if (!line.output.empty()) std::filesystem::create_directories(line.output);

@@ -42,9 +42,10 @@ ByteImage imageFromPng(std::span<const unsigned char> bytes) {
   OIIO::Filesystem::IOMemReader proxy(const_cast<unsigned char*>(bytes.data()), bytes.size());
   OIIO::ImageSpec wanted;
   wanted.attribute("oiio:UnassociatedAlpha", 1);
-  const auto reader = OIIO::ImageInput::open("memory.png", &wanted, &proxy);
-  if (!reader) fail(OIIO::geterror());
-  const OIIO::ImageSpec& spec = reader->spec();
+  const auto reader = OIIO::ImageInput::create("png");
+  OIIO::ImageSpec spec;
+  if (!reader || !reader->set_ioproxy(&proxy)) fail("OpenImageIO has no PNG reader");
+  if (!reader->open("memory.png", spec, wanted)) fail(reader->geterror());
   const auto pixels = static_cast<size_t>(spec.width) * static_cast<size_t>(spec.height),
              channels = static_cast<size_t>(spec.nchannels);
   std::vector<unsigned char> stored(pixels * channels);

@@ -12,6 +12,9 @@ struct DrawPuff {
   std::uint32_t puff = 0;      ///< of the pack
 };
 
+/// In the place of a puff: all of the cloud, as a picture of it.
+inline constexpr std::uint32_t kImpostor = 0xffffffff;
+
 /// One pass of a stable sort: orders `from` by a byte of the keys (0 the low one) into `to`, and the keys along with
 /// it. All spans are of one size.
 void sortByByte(int byte, std::span<const std::uint16_t> fromKeys, std::span<const DrawPuff> from,

@@ -76,6 +76,10 @@ Status makeProgram(const char* common, const char* vertex, const char* fragment,
   return {};
 }
 
+void setVec3(const Program& program, const char* name, const Vec3& v) noexcept {
+  glUniform3f(uniform(program, name), v.x, v.y, v.z);
+}
+
 void bindTexture(const Program& program, const char* sampler, int unit, GLenum target, const Texture& texture) noexcept {
   glActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + unit));
   glBindTexture(target, texture.id());

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "runtime/status.hpp"
+#include "runtime/vec3.hpp"
 
 namespace cloudgen::runtime::gles {
 
@@ -65,6 +66,8 @@ Status makeProgram(const char* common, const char* vertex, const char* fragment,
 
 /// Where a uniform is; -1, which OpenGL ignores, where the program has none of the name.
 inline GLint uniform(const Program& program, const char* name) noexcept { return glGetUniformLocation(program.id(), name); }
+
+void setVec3(const Program& program, const char* name, const Vec3& v) noexcept;
 
 /// Binds a texture to a unit and makes a sampler of the current program read it.
 void bindTexture(const Program& program, const char* sampler, int unit, GLenum target, const Texture& texture) noexcept;

@@ -12,18 +12,21 @@
 namespace cloudgen::runtime::gles {
 namespace {
 
-constexpr float kHazeHeightMeters = 2200, kHazeLengthMeters = 42'000;
 constexpr int kShadowPixels = 1024;
+constexpr std::size_t kMostShadows = std::size_t{1} << 18;
+/// Sky and ground are smooth: they are drawn at this part of the resolution.
+constexpr int kBackdropShare = 3;
 /// Whoever climbs or sinks by this share of the air's height sees another sky.
 constexpr float kSkyAnewMeters = 400;
 
-/// As shader::kPuffVertex lays it out (std140).
-struct Locks {
-  std::uint32_t puff[kMostLocked][4];
-  float facing[kMostLocked][4];
-};
-
-void setVec3(const Program& program, const char* name, const Vec3& v) { glUniform3f(uniform(program, name), v.x, v.y, v.z); }
+/// What light is added up in: half floats where the device can draw into them, else bytes by the sRGB curve.
+void makeLightTarget(int width, int height, Texture& texture, Framebuffer& target) noexcept {
+  for (const GLenum format : {GLenum{GL_RGBA16F}, GLenum{GL_SRGB8_ALPHA8}}) {
+    texture = newTexture2d(format, width, height, Filter::Linear, Border::Clamp);
+    target = newFramebuffer(texture);
+    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE) return;
+  }
+}
 
 }  // namespace
 
@@ -33,35 +36,35 @@ Status Renderer::make(const Runtime& runtime, DecodePng decode, int mostWidth, i
   runtime_ = &runtime;
   options_ = options;
   resolution_ = Resolution(options.finestScale, options.targetMilliseconds);
-  mostWidth_ = mostWidth;
-  mostHeight_ = mostHeight;
+  most_ = {mostWidth, mostHeight};
   if (const Status made = makePrograms(); !made) return made;
   if (const Status made = textures_.make(runtime.pack(), runtime.lighting(), runtime.mostClouds(), decode); !made) return made;
+  if (const Status made = brush_.make(runtime, textures_); !made) return made;
+  if (const Status made = impostors_.make(runtime); !made) return made;
   try {
+    list_.reserve(runtime.mostPuffs());
+    shadows_.reserve(kMostShadows);
+    runs_.reserve(2 * Impostors::kMost + 1);
     skyTable_ = std::make_unique<SkyTable>();
     makePatches();
   } catch (const std::bad_alloc&) {
     return {"there is no memory for the sky"};
   }
   sky_ = newTexture2d(GL_RGBA16F, SkyTable::kColumns, SkyTable::kRows, Filter::Linear, Border::Clamp);
-  cloudLight_ = newTexture2d(GL_SRGB8_ALPHA8, mostWidth, mostHeight, Filter::Linear, Border::Clamp);
-  cloudTarget_ = newFramebuffer(cloudLight_);
+  makeLightTarget(mostWidth, mostHeight, cloudLight_, cloudTarget_);
+  makeLightTarget(mostWidth / kBackdropShare + 1, mostHeight / kBackdropShare + 1, backdrop_, backdropTarget_);
   shadow_ = newTexture2d(GL_R8, kShadowPixels, kShadowPixels, Filter::Linear, Border::Clamp);
   shadowTarget_ = newFramebuffer(shadow_);
 
-  drawBuffer_ = newBuffer();
   noArray_ = newVertexArray();
-  puffArray_ = newVertexArray();
-  glBindVertexArray(puffArray_.id());
+  shadowArray_ = newVertexArray();
+  shadowBuffer_ = newBuffer();
+  glBindBuffer(GL_ARRAY_BUFFER, shadowBuffer_.id());
+  glBufferData(GL_ARRAY_BUFFER, kMostShadows * sizeof(DrawPuff), nullptr, GL_STATIC_DRAW);
+  drawBuffer_ = newBuffer();
   glBindBuffer(GL_ARRAY_BUFFER, drawBuffer_.id());
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(std::max<std::size_t>(runtime.mostPuffs(), 1) * sizeof(DrawPuff)), nullptr,
                GL_DYNAMIC_DRAW);
-  glEnableVertexAttribArray(0);
-  glVertexAttribDivisor(0, 1);
-  lockBuffer_ = newBuffer();
-  glBindBuffer(GL_UNIFORM_BUFFER, lockBuffer_.id());
-  glBufferData(GL_UNIFORM_BUFFER, sizeof(Locks), nullptr, GL_DYNAMIC_DRAW);
-  glUniformBlockBinding(puffProgram_.id(), glGetUniformBlockIndex(puffProgram_.id(), "Locks"), 0);
   setLight();
   return glGetError() == GL_NO_ERROR ? Status{} : Status{"OpenGL has no room for the pictures"};
 }
@@ -69,9 +72,12 @@ Status Renderer::make(const Runtime& runtime, DecodePng decode, int mostWidth, i
 Status Renderer::makePrograms() noexcept {
   try {
     const std::string readers = std::string(shader::kCommon) + PackTextures::kReaders;
-    if (const Status made = makeProgram(readers.c_str(), shader::kPuffVertex, shader::kPuffFragment, puffProgram_); !made)
-      return made;
     if (const Status made = makeProgram(readers.c_str(), shader::kShadowVertex, shader::kShadowFragment, shadowProgram_); !made)
+      return made;
+    if (const Status made = makeProgram(shader::kCommon, shader::kPictureVertex, shader::kBackdropFragment, backdropProgram_); !made)
+      return made;
+    const std::string withSun = std::string("#define SUN_IN_VIEW\n") + shader::kCommon;
+    if (const Status made = makeProgram(withSun.c_str(), shader::kPictureVertex, shader::kPictureFragment, sunPictureProgram_); !made)
       return made;
     return makeProgram(shader::kCommon, shader::kPictureVertex, shader::kPictureFragment, pictureProgram_);
   } catch (const std::bad_alloc&) {
@@ -89,6 +95,7 @@ void Renderer::makePatches() {
 
 void Renderer::setLight() noexcept {
   textures_.setLight(runtime_->pack(), runtime_->lighting());
+  impostors_.forget();
   isShadowOld_ = isSkyOld_ = true;
 }
 
@@ -103,44 +110,49 @@ void Renderer::lightFrom(float eyeHeight) noexcept {
   isSkyOld_ = false;
 }
 
-void Renderer::useProgram(const Program& program, const Camera& camera) noexcept {
-  glUseProgram(program.id());
-  const Vec3 forward = normalized(camera.forward), right = normalized(cross(forward, camera.up)), up = cross(right, forward);
-  const float focal = camera.focalPixels();
-  setVec3(program, "uEye", camera.eye);
-  setVec3(program, "uRight", right);
-  setVec3(program, "uUp", up);
-  setVec3(program, "uForward", forward);
-  glUniform2f(uniform(program, "uLens"), 2 * focal / static_cast<float>(camera.widthPixels),
-              2 * focal / static_cast<float>(camera.heightPixels));
-  setVec3(program, "uSun", runtime_->lighting().sunDirection());
-  glUniform1f(uniform(program, "uGround"), runtime_->groundMeters());
-  const float perMeter = std::exp(-std::max(0.0f, camera.eye.y) / kHazeHeightMeters) / kHazeLengthMeters;
-  glUniform2f(uniform(program, "uHaze"), perMeter, kHazeHeightMeters);
-}
-
-void Renderer::drawPuffs(std::size_t first, std::size_t count) noexcept {
-  glBindVertexArray(puffArray_.id());
+/// The list with the tiles of impostors instead of kImpostor, and its runs of either kind.
+void Renderer::upload(const Frame& frame, const Camera& camera) noexcept {
+  impostors_.beginFrame();
+  const bool isNewList = isNew_ || frame.puffsChanged;
+  if (isNewList) {
+    list_.assign(frame.puffs.begin(), frame.puffs.end());
+    runs_.clear();
+    for (std::uint32_t i = 0; i < list_.size(); ++i) {
+      const bool isImpostor = list_[i].puff == kImpostor;
+      if (runs_.empty() || runs_.back().isImpostor != isImpostor) runs_.push_back({i, 0, isImpostor});
+      ++runs_.back().count;
+    }
+  }
+  bool isChanged = isNewList;
+  for (const Run& run : runs_) {
+    if (!run.isImpostor) continue;
+    for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
+      const std::uint32_t tile = impostors_.tileOf(list_[i].instance, frame, camera, sky_, brush_);
+      isChanged |= list_[i].puff != tile;
+      list_[i].puff = tile;
+    }
+  }
+  if (!isChanged) return;
   glBindBuffer(GL_ARRAY_BUFFER, drawBuffer_.id());
-  glVertexAttribIPointer(0, 2, GL_UNSIGNED_INT, sizeof(DrawPuff), reinterpret_cast<const void*>(first * sizeof(DrawPuff)));
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(count));
+  glBufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(list_.size() * sizeof(DrawPuff)), list_.data());
 }
 
+/// Those of all clouds, wherever one looks, by their coarse puffs.
 void Renderer::drawShadows(const Frame& frame) noexcept {
-  // Of the puffs that are drawn now, on the ground that they can fall on.
   Vec3 lower{1e30f, 0, 1e30f}, upper{-1e30f, 0, -1e30f};
   const Vec3 sun = runtime_->lighting().sunDirection();
   const float fall = 1 / std::max(sun.y, 0.14f), ground = runtime_->groundMeters();
-  std::uint32_t before = 0xffffffff;
-  for (const DrawPuff& puff : frame.puffs) {
-    if (puff.instance == before) continue;
-    before = puff.instance;
-    const pack::Instance& cloud = frame.clouds[puff.instance];
+  shadows_.clear();
+  for (std::uint32_t i = 0; i < frame.clouds.size(); ++i) {
+    const pack::Instance& cloud = frame.clouds[i];
     const ArchetypeInfo& info = runtime_->pack().archetypes()[cloud.archetype()];
     const Vec3 middle = vec3(cloud.position()) + info.middle * cloud.scale();
     const float reach = info.radiusMeters * cloud.scale(), down = (middle.y - ground) * fall;
     lower = {std::min(lower.x, middle.x - sun.x * down - reach), 0, std::min(lower.z, middle.z - sun.z * down - reach)};
     upper = {std::max(upper.x, middle.x - sun.x * down + reach), 0, std::max(upper.z, middle.z - sun.z * down + reach)};
+    const std::uint32_t level = info.levels > 1 ? info.levels - 2 : 0;
+    for (std::uint32_t p = 0; p < info.count[level] && shadows_.size() < kMostShadows; ++p)
+      shadows_.push_back({i, info.first[level] + p});
   }
   const float side = std::max({upper.x - lower.x, upper.z - lower.z, 1.0f});
   shadowBox_ = {lower.x, lower.z, 1 / side, 1 / side};
@@ -150,6 +162,7 @@ void Renderer::drawShadows(const Frame& frame) noexcept {
   glViewport(0, 0, kShadowPixels, kShadowPixels);
   glClearColor(0, 0, 0, 0);
   glClear(GL_COLOR_BUFFER_BIT);
+  glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE);
   glUseProgram(shadowProgram_.id());
   textures_.bind(shadowProgram_, 0);
@@ -157,7 +170,71 @@ void Renderer::drawShadows(const Frame& frame) noexcept {
   glUniform1f(uniform(shadowProgram_, "uGround"), ground);
   glUniform1f(uniform(shadowProgram_, "uCell"), shadowCell_);
   glUniform4fv(uniform(shadowProgram_, "uShadowBox"), 1, shadowBox_.data());
-  drawPuffs(0, frame.puffs.size());
+  glBindBuffer(GL_ARRAY_BUFFER, shadowBuffer_.id());
+  glBufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(shadows_.size() * sizeof(DrawPuff)), shadows_.data());
+  drawQuads(shadowArray_, shadowBuffer_, 0, shadows_.size());
+}
+
+void Renderer::drawClouds(const Frame& frame, const Camera& camera) noexcept {
+  glBindFramebuffer(GL_FRAMEBUFFER, cloudTarget_.id());
+  glViewport(0, 0, cloudSize_.width, cloudSize_.height);
+  // One texel more: the picture reads between texels.
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(0, 0, cloudSize_.width + 1, cloudSize_.height + 1);
+  glClearColor(0, 0, 0, 0);
+  glClear(GL_COLOR_BUFFER_BIT);
+  glDisable(GL_SCISSOR_TEST);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  const float pixel = 1 / (camera.focalPixels() * resolution_.scale());
+  for (const Run& run : runs_) {
+    if (run.isImpostor) {
+      impostors_.begin(camera, sky_, textures_);
+      impostors_.draw(drawBuffer_, run.first, run.count);
+    } else {
+      brush_.begin(camera, sky_, pixel, frame.locked);
+      brush_.draw(drawBuffer_, run.first, run.count);
+    }
+  }
+}
+
+void Renderer::drawBackdrop(const Camera& camera) noexcept {
+  glBindFramebuffer(GL_FRAMEBUFFER, backdropTarget_.id());
+  glViewport(0, 0, backdropSize_.width, backdropSize_.height);
+  glDisable(GL_BLEND);
+  useProgram(backdropProgram_, camera, *runtime_);
+  bindTexture(backdropProgram_, "uSky", 0, GL_TEXTURE_2D, sky_);
+  bindTexture(backdropProgram_, "uShadow", 1, GL_TEXTURE_2D, shadow_);
+  bindTexture(backdropProgram_, "uPatches", 2, GL_TEXTURE_2D, patches_);
+  const Lighting& lighting = runtime_->lighting();
+  setVec3(backdropProgram_, "uGroundColor", lighting.sky().ground);
+  setVec3(backdropProgram_, "uDimSun", lighting.sunColorAtGround() * std::max(lighting.sunDirection().y, 0.0f));
+  setVec3(backdropProgram_, "uDimOther", lighting.sky().ambient * 0.62f);
+  glUniform4fv(uniform(backdropProgram_, "uShadowBox"), 1, shadowBox_.data());
+  glBindVertexArray(noArray_.id());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void Renderer::drawPicture(const Camera& camera, GLuint framebuffer) noexcept {
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  glViewport(0, 0, picture_.width, picture_.height);
+  glDisable(GL_BLEND);
+  // Its glare reaches 20 degrees; half a picture's diagonal is what one looks beside it.
+  const Vec3 sun = runtime_->lighting().sunDirection();
+  const float halfDiagonal = std::atan(0.5f * std::hypot(static_cast<float>(camera.widthPixels), static_cast<float>(camera.heightPixels)) / camera.focalPixels());
+  const bool isSunSeen = sun.y > -0.009f && dot(sun, normalized(camera.forward)) > std::cos(std::min(halfDiagonal + 0.35f, 3.14f));
+  const Program& program = isSunSeen ? sunPictureProgram_ : pictureProgram_;
+  useProgram(program, camera, *runtime_);
+  bindTexture(program, "uCloudLight", 0, GL_TEXTURE_2D, cloudLight_);
+  bindTexture(program, "uBackdrop", 1, GL_TEXTURE_2D, backdrop_);
+  const auto setShare = [&](const char* name, const Size& part, float wholeWidth, float wholeHeight) {
+    glUniform2f(uniform(program, name), static_cast<float>(part.width) / wholeWidth, static_cast<float>(part.height) / wholeHeight);
+  };
+  setShare("uCloudShare", cloudSize_, static_cast<float>(most_.width), static_cast<float>(most_.height));
+  setShare("uBackdropShare", backdropSize_, static_cast<float>(most_.width / kBackdropShare + 1), static_cast<float>(most_.height / kBackdropShare + 1));
+  setVec3(program, "uSunlight", skyTable_->sunlight);
+  glBindVertexArray(noArray_.id());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
 void Renderer::draw(const Frame& frame, const Camera& camera, GLuint framebuffer, double frameMilliseconds) noexcept {
@@ -165,62 +242,20 @@ void Renderer::draw(const Frame& frame, const Camera& camera, GLuint framebuffer
   lightFrom(camera.eye.y);
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
-  glEnable(GL_BLEND);
   if (isNew_ || frame.cloudsChanged) textures_.setClouds(frame.clouds);
-  if (isNew_ || frame.puffsChanged) {
-    glBindBuffer(GL_ARRAY_BUFFER, drawBuffer_.id());
-    glBufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(frame.puffs.size_bytes()), frame.puffs.data());
-  }
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  upload(frame, camera);
   if (isShadowOld_ || frame.cloudsChanged) drawShadows(frame);
   isShadowOld_ = isNew_ = false;
 
-  const int width = std::min(camera.widthPixels, mostWidth_), height = std::min(camera.heightPixels, mostHeight_);
-  const float scale = resolution_.scale();
-  const int cloudWidth = std::max(1, static_cast<int>(std::lround(scale * static_cast<float>(width)))),
-            cloudHeight = std::max(1, static_cast<int>(std::lround(scale * static_cast<float>(height))));
-  glBindFramebuffer(GL_FRAMEBUFFER, cloudTarget_.id());
-  glViewport(0, 0, cloudWidth, cloudHeight);
-  glEnable(GL_SCISSOR_TEST);
-  glScissor(0, 0, cloudWidth, cloudHeight);
-  glClearColor(0, 0, 0, 0);
-  glClear(GL_COLOR_BUFFER_BIT);
-  glDisable(GL_SCISSOR_TEST);
-  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  useProgram(puffProgram_, camera);
-  int unit = textures_.bind(puffProgram_, 0);
-  bindTexture(puffProgram_, "uSky", unit, GL_TEXTURE_2D, sky_);
-  setVec3(puffProgram_, "uCameraUp", camera.up);
-  glUniform1f(uniform(puffProgram_, "uPixel"), 1 / (camera.focalPixels() * scale));
-  glUniform1i(uniform(puffProgram_, "uLocked"), static_cast<GLint>(frame.locked.size()));
-  glBindBufferBase(GL_UNIFORM_BUFFER, 0, lockBuffer_.id());
-  for (std::size_t i = 0; i < frame.locked.size(); ++i) {
-    const auto& [puff, facing] = frame.locked[i];
-    const std::uint32_t name[4]{puff.instance, puff.puff, 0, 0};
-    const float way[4]{facing.x, facing.y, facing.z, 0};
-    glBufferSubData(GL_UNIFORM_BUFFER, static_cast<GLintptr>(offsetof(Locks, puff) + i * sizeof(name)), sizeof(name), name);
-    glBufferSubData(GL_UNIFORM_BUFFER, static_cast<GLintptr>(offsetof(Locks, facing) + i * sizeof(way)), sizeof(way), way);
-  }
-  drawPuffs(0, frame.puffs.size());
-
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-  glViewport(0, 0, width, height);
-  glDisable(GL_BLEND);
-  useProgram(pictureProgram_, camera);
-  bindTexture(pictureProgram_, "uSky", 0, GL_TEXTURE_2D, sky_);
-  bindTexture(pictureProgram_, "uCloudLight", 1, GL_TEXTURE_2D, cloudLight_);
-  bindTexture(pictureProgram_, "uShadow", 2, GL_TEXTURE_2D, shadow_);
-  bindTexture(pictureProgram_, "uPatches", 3, GL_TEXTURE_2D, patches_);
-  glUniform2f(uniform(pictureProgram_, "uCloudShare"), static_cast<float>(cloudWidth) / static_cast<float>(mostWidth_),
-              static_cast<float>(cloudHeight) / static_cast<float>(mostHeight_));
-  const Lighting& lighting = runtime_->lighting();
-  const Vec3 sun = lighting.sunColorAtGround();
-  setVec3(pictureProgram_, "uGroundColor", lighting.sky().ground);
-  setVec3(pictureProgram_, "uSunlight", lighting.sunDirection().y > -0.009f ? skyTable_->sunlight : Vec3{});
-  setVec3(pictureProgram_, "uDimSun", sun * std::max(lighting.sunDirection().y, 0.0f));
-  setVec3(pictureProgram_, "uDimOther", lighting.sky().ambient * 0.62f);
-  glUniform4fv(uniform(pictureProgram_, "uShadowBox"), 1, shadowBox_.data());
-  glBindVertexArray(noArray_.id());
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  picture_ = {std::min(camera.widthPixels, most_.width), std::min(camera.heightPixels, most_.height)};
+  const auto part = [](int whole, float share) { return std::max(1, static_cast<int>(std::lround(share * static_cast<float>(whole)))); };
+  cloudSize_ = {part(picture_.width, resolution_.scale()), part(picture_.height, resolution_.scale())};
+  backdropSize_ = {part(picture_.width, 1.0f / kBackdropShare), part(picture_.height, 1.0f / kBackdropShare)};
+  drawClouds(frame, camera);
+  drawBackdrop(camera);
+  drawPicture(camera, framebuffer);
 }
 
 }  // namespace cloudgen::runtime::gles

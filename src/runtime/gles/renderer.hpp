@@ -5,7 +5,9 @@
 #include <memory>
 
 #include "runtime/gles/gl_objects.hpp"
+#include "runtime/gles/impostors.hpp"
 #include "runtime/gles/pack_textures.hpp"
+#include "runtime/gles/puff_brush.hpp"
 #include "runtime/gles/resolution.hpp"
 #include "runtime/gles/sky_table.hpp"
 #include "runtime/runtime.hpp"
@@ -37,9 +39,11 @@ class Renderer {
  private:
   Status makePrograms() noexcept;
   void makePatches();
-  void useProgram(const Program& program, const Camera& camera) noexcept;
-  void drawPuffs(std::size_t first, std::size_t count) noexcept;
+  void upload(const Frame& frame, const Camera& camera) noexcept;
   void drawShadows(const Frame& frame) noexcept;
+  void drawClouds(const Frame& frame, const Camera& camera) noexcept;
+  void drawBackdrop(const Camera& camera) noexcept;
+  void drawPicture(const Camera& camera, GLuint framebuffer) noexcept;
   void lightFrom(float eyeHeight) noexcept;
 
   const Runtime* runtime_ = nullptr;
@@ -47,12 +51,24 @@ class Renderer {
   Resolution resolution_;
   PackTextures textures_;
   std::unique_ptr<SkyTable> skyTable_;
-  Program puffProgram_, pictureProgram_, shadowProgram_;
-  Texture sky_, cloudLight_, shadow_, patches_;
-  Framebuffer cloudTarget_, shadowTarget_;
-  Buffer drawBuffer_, lockBuffer_;
-  VertexArray puffArray_, noArray_;
-  int mostWidth_ = 0, mostHeight_ = 0;
+  Program backdropProgram_, pictureProgram_, sunPictureProgram_, shadowProgram_;
+  Texture sky_, cloudLight_, backdrop_, shadow_, patches_;
+  Framebuffer cloudTarget_, backdropTarget_, shadowTarget_;
+  Buffer drawBuffer_, shadowBuffer_;
+  VertexArray shadowArray_, noArray_;
+  PuffBrush brush_;
+  Impostors impostors_;
+  struct Run {
+    std::uint32_t first = 0, count = 0;
+    bool isImpostor = false;
+  };
+  std::vector<DrawPuff> list_, shadows_;
+  std::vector<Run> runs_;
+  struct Size {
+    int width = 0, height = 0;
+  };
+  /// Of all that can be drawn, of what is drawn now, and of the clouds and the backdrop of that.
+  Size most_, picture_, cloudSize_, backdropSize_;
   std::array<float, 4> shadowBox_{};
   float shadowCell_ = 1, skyHeight_ = 0;
   bool isNew_ = true, isShadowOld_ = true, isSkyOld_ = true;

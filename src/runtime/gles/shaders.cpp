@@ -134,6 +134,43 @@ void main() {
 }
 )";
 
+const char* const kImpostorVertex = R"(
+layout(location = 0) in uvec2 aDraw;  // cloud, tile
+uniform highp sampler2D uPlaces;
+flat out vec3 vVeil;
+flat out float vClear;
+out vec2 vPlace;
+void main() {
+  Cloud cloud = cloudAt(aDraw.x);
+  vec4 facing = texelFetch(uPlaces, ivec2(0, int(aDraw.y)), 0), offset = texelFetch(uPlaces, ivec2(1, int(aDraw.y)), 0);
+  vec3 right = normalize(cross(abs(facing.y) > 0.999 ? vec3(0.0, 0.0, -1.0) : vec3(0.0, 1.0, 0.0), facing.xyz));
+  vec3 up = cross(facing.xyz, right);
+  vec2 corner = vec2(float(gl_VertexID & 1), float(gl_VertexID >> 1)) * 2.0 - 1.0;
+  vec3 away = cloud.position + offset.xyz - uEye;
+  vec3 at = away + facing.w * (corner.x * right + corner.y * up);
+  gl_Position = vec4(dot(at, uRight) * uLens.x, dot(at, uUp) * uLens.y, 0.0, dot(at, uForward));
+  float far = length(away);
+  vec3 d = away / far;
+  vClear = clarity(d.y, far);
+  vVeil = (1.0 - vClear) * hazeColor(d);
+  const float kAcross = 16.0, kPixels = 64.0;
+  vec2 tile = vec2(float(aDraw.y & 15u), float(aDraw.y >> 4));
+  vPlace = (tile + 0.5 + corner * (0.5 - 0.5 / kPixels)) / kAcross;
+}
+)";
+
+const char* const kImpostorFragment = R"(
+uniform sampler2D uAtlas;
+flat in vec3 vVeil;
+flat in float vClear;
+in vec2 vPlace;
+layout(location = 0) out vec4 oColor;
+void main() {
+  vec4 picture = texture(uAtlas, vPlace);
+  oColor = vec4(picture.rgb * vClear + vVeil * picture.a, picture.a);
+}
+)";
+
 const char* const kPictureVertex = R"(
 out vec2 vSlope;
 void main() {
@@ -143,12 +180,10 @@ void main() {
 }
 )";
 
-const char* const kPictureFragment = R"(
-uniform sampler2D uCloudLight, uShadow, uPatches;
-uniform vec2 uCloudShare;       // of the texture that this frame drew into
-uniform vec3 uGroundColor, uSunlight, uDimSun, uDimOther;
+const char* const kBackdropFragment = R"(
+uniform sampler2D uShadow, uPatches;
+uniform vec3 uGroundColor, uDimSun, uDimOther;
 uniform vec4 uShadowBox;        // its lower corner and 1 / size, x and z
-uniform vec4 uSunDisc;          // cosines of its rim, brightness, glare
 in vec2 vSlope;
 layout(location = 0) out vec4 oColor;
 
@@ -165,33 +200,49 @@ vec3 groundAt(vec3 d, float meters) {
   return 1.1 * ground * (sun * uDimSun + uDimOther) / max(uDimSun + uDimOther, vec3(1e-6));
 }
 
+void main() {
+  vec3 d = normalize(uForward + vSlope.x * uRight + vSlope.y * uUp);
+  vec3 color;
+  if (d.y > -1e-4) {
+    color = skyAt(d);
+  } else {
+    float meters = (uEye.y - uGround) / -d.y;
+    color = mix(hazeColor(d), groundAt(d, meters), clarity(d.y, meters));
+  }
+  oColor = vec4(color, 1.0);
+}
+)";
+
+const char* const kPictureFragment = R"(
+uniform sampler2D uCloudLight, uBackdrop;
+uniform vec2 uCloudShare, uBackdropShare;  // of the textures that this frame drew into
+#ifdef SUN_IN_VIEW
+uniform vec3 uSunlight;
+#endif
+in vec2 vSlope;
+layout(location = 0) out vec4 oColor;
+
 vec3 rolledOff(vec3 v) {
   vec3 over = max((v - 0.75) * 4.0, vec3(0.0));
   return min(v, vec3(0.75)) + 0.25 * over / (1.0 + over);
 }
 
 void main() {
-  vec3 d = normalize(uForward + vSlope.x * uRight + vSlope.y * uUp);
-  vec3 color;
-  bool isSky = d.y > -1e-4;
-  if (isSky) {
-    color = skyAt(d);
-  } else {
-    float meters = (uEye.y - uGround) / -d.y;
-    color = mix(hazeColor(d), groundAt(d, meters), clarity(d.y, meters));
-  }
-  vec4 clouds = texture(uCloudLight, (vSlope * uLens * 0.5 + 0.5) * uCloudShare);
+  vec2 place = vSlope * uLens * 0.5 + 0.5;
+  vec4 clouds = texture(uCloudLight, place * uCloudShare);
   float open = 1.0 - clouds.a;
-  color = color * open + clouds.rgb;
-  float cosine = dot(d, uSun);
-  if (isSky && cosine > 0.85) {
-    float degrees = 57.29578 * acos(min(cosine, 1.0));
-    color += uSunlight * open * (46000.0 * smoothstep(0.295, 0.235, degrees) + 1.1 * exp(-degrees / 0.9) + 0.18 * exp(-degrees * 0.25));
-  }
+  vec3 color = texture(uBackdrop, place * uBackdropShare).rgb * open + clouds.rgb;
+#ifdef SUN_IN_VIEW
+  vec3 d = normalize(uForward + vSlope.x * uRight + vSlope.y * uUp);
+  float degrees = 57.29578 * acos(clamp(dot(d, uSun), -1.0, 1.0));
+  float glare = 46000.0 * smoothstep(0.295, 0.235, degrees) + 1.1 * exp(-degrees / 0.9) + 0.18 * exp(-degrees * 0.25);
+  color += uSunlight * (open * glare * smoothstep(-0.002, 0.002, d.y));
+#endif
   float most = max(max(color.r, color.g), max(color.b, 1e-6));
   color = mix(rolledOff(color), color * (rolledOff(vec3(most)).r / most), 0.6);
-  color = clamp(color, 0.0, 1.0);
-  oColor = vec4(mix(12.92 * color, 1.055 * pow(color, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, color)), 1.0);
+  // The sRGB curve by three roots, to half a step of 255.
+  vec3 root = sqrt(clamp(color, 0.0, 1.0)), fourth = sqrt(root), eighth = sqrt(fourth);
+  oColor = vec4(max(vec3(0.0), 0.585122381 * root + 0.783140355 * fourth - 0.368262736 * eighth), 1.0);
 }
 )";
 
