@@ -24,7 +24,7 @@ struct Line {
   std::filesystem::path output;
   int frames = 100, every = 25;
   std::uint64_t seed = 1;
-  bool plain = false;
+  bool plain = false, volumes = false;
   double seconds = 0, sunDegreesPerFrame = 0, targetFps = 0;
 };
 
@@ -74,7 +74,7 @@ class Cockpit {
       options.detail.errorPixels = 0;
       options.lazy = {.moveMeters = 0, .turnRadians = 4, .slices = 1};
     } else {
-      options.detail.impostorPixels = 40;
+      options.detail.impostorPixels = line.volumes ? 1e9f : 40.0f;
     }
     orThrow(sky_.open(line.pack.c_str(), options), line.pack, "cloudgen build INPUT -o DIR --formats pack makes one");
     if (!line.endless.empty()) orThrow(sky_.startEndless({line.endless, line.seed}), "--endless " + line.endless, "as in --endless d200");
@@ -89,7 +89,7 @@ class Cockpit {
     if (const auto status = context_.open(); !status)
       throw base::OutputError("EGL", status.problem, "install a driver: Debian's libgl1-mesa-dri draws in software");
     const float target = line.targetFps > 0 ? static_cast<float>(1000 / line.targetFps) : 0.0f;
-    if (const auto status = renderer_.make(sky_, fly::decodePng, width_, height_, {1, target}); !status)
+    if (const auto status = renderer_.make(sky_, fly::decodePng, width_, height_, {1, target, line.volumes}); !status)
       throw base::OutputError("OpenGL ES", status.problem, "cloudgen validate looks at the pack");
     flight_ = fly::flightThrough(sky_.pack());
     if (!line.endless.empty()) flight_ = {{0, 2500, 0}, 3500};
@@ -167,6 +167,7 @@ int main(int count, char** arguments) {
   app.add_option("--sun-moves", line.sunDegreesPerFrame, "degrees of azimuth a frame");
   app.add_option("--time", line.seconds, "seconds from the pack's valid time");
   app.add_option("--fps", line.targetFps, "draw clouds coarser where frames take longer than this asks for");
+  app.add_flag("--volumes", line.volumes, "march rays through the clouds instead of drawing their puffs");
   app.add_flag("--plain", line.plain, "no culling, levels of detail, impostors or lazy order: to see what they save");
   try {
     app.parse(count, arguments);

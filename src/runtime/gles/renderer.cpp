@@ -41,6 +41,8 @@ Status Renderer::make(const Runtime& runtime, DecodePng decode, int mostWidth, i
   if (const Status made = textures_.make(runtime.pack(), runtime.lighting(), runtime.mostClouds(), decode); !made) return made;
   if (const Status made = brush_.make(runtime, textures_); !made) return made;
   if (const Status made = impostors_.make(runtime); !made) return made;
+  if (options.volumes)
+    if (const Status made = volumes_.make(runtime); !made) return made;
   try {
     list_.reserve(runtime.mostPuffs());
     shadows_.reserve(kMostShadows);
@@ -96,6 +98,7 @@ void Renderer::makePatches() {
 void Renderer::setLight() noexcept {
   textures_.setLight(runtime_->pack(), runtime_->lighting());
   impostors_.forget();
+  if (options_.volumes) volumes_.light();
   isShadowOld_ = isSkyOld_ = true;
 }
 
@@ -110,22 +113,26 @@ void Renderer::lightFrom(float eyeHeight) noexcept {
   isSkyOld_ = false;
 }
 
-/// The list with the tiles of impostors instead of kImpostor, and its runs of either kind.
+/// The list with the grids or tiles of whole clouds instead of kImpostor, and its runs of each kind.
 void Renderer::upload(const Frame& frame, const Camera& camera) noexcept {
   impostors_.beginFrame();
-  const bool isNewList = isNew_ || frame.puffsChanged;
-  if (isNewList) {
+  bool isChanged = isNew_ || frame.puffsChanged;
+  if (isChanged) {
     list_.assign(frame.puffs.begin(), frame.puffs.end());
     runs_.clear();
     for (std::uint32_t i = 0; i < list_.size(); ++i) {
-      const bool isImpostor = list_[i].puff == kImpostor;
-      if (runs_.empty() || runs_.back().isImpostor != isImpostor) runs_.push_back({i, 0, isImpostor});
+      DrawPuff& puff = list_[i];
+      Run::Kind kind = Run::Puffs;
+      if (puff.puff == kImpostor) {
+        if (options_.volumes) puff.puff = volumes_.gridOf(frame.clouds[puff.instance]);
+        kind = puff.puff == kImpostor ? Run::Picture : Run::Volume;
+      }
+      if (runs_.empty() || runs_.back().kind != kind) runs_.push_back({i, 0, kind});
       ++runs_.back().count;
     }
   }
-  bool isChanged = isNewList;
   for (const Run& run : runs_) {
-    if (!run.isImpostor) continue;
+    if (run.kind != Run::Picture) continue;
     for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
       const std::uint32_t tile = impostors_.tileOf(list_[i].instance, frame, camera, sky_, brush_);
       isChanged |= list_[i].puff != tile;
@@ -178,9 +185,8 @@ void Renderer::drawShadows(const Frame& frame) noexcept {
 void Renderer::drawClouds(const Frame& frame, const Camera& camera) noexcept {
   glBindFramebuffer(GL_FRAMEBUFFER, cloudTarget_.id());
   glViewport(0, 0, cloudSize_.width, cloudSize_.height);
-  // One texel more: the picture reads between texels.
   glEnable(GL_SCISSOR_TEST);
-  glScissor(0, 0, cloudSize_.width + 1, cloudSize_.height + 1);
+  glScissor(0, 0, cloudSize_.width, cloudSize_.height);
   glClearColor(0, 0, 0, 0);
   glClear(GL_COLOR_BUFFER_BIT);
   glDisable(GL_SCISSOR_TEST);
@@ -188,9 +194,12 @@ void Renderer::drawClouds(const Frame& frame, const Camera& camera) noexcept {
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   const float pixel = 1 / (camera.focalPixels() * resolution_.scale());
   for (const Run& run : runs_) {
-    if (run.isImpostor) {
+    if (run.kind == Run::Picture) {
       impostors_.begin(camera, sky_, textures_);
       impostors_.draw(drawBuffer_, run.first, run.count);
+    } else if (run.kind == Run::Volume) {
+      volumes_.begin(camera, sky_, textures_);
+      volumes_.draw(drawBuffer_, run.first, run.count);
     } else {
       brush_.begin(camera, sky_, pixel, frame.locked);
       brush_.draw(drawBuffer_, run.first, run.count);
@@ -227,11 +236,12 @@ void Renderer::drawPicture(const Camera& camera, GLuint framebuffer) noexcept {
   useProgram(program, camera, *runtime_);
   bindTexture(program, "uCloudLight", 0, GL_TEXTURE_2D, cloudLight_);
   bindTexture(program, "uBackdrop", 1, GL_TEXTURE_2D, backdrop_);
-  const auto setShare = [&](const char* name, const Size& part, float wholeWidth, float wholeHeight) {
-    glUniform2f(uniform(program, name), static_cast<float>(part.width) / wholeWidth, static_cast<float>(part.height) / wholeHeight);
+  const auto setPart = [&](const char* name, const Size& part, const Size& whole) {
+    const auto w = static_cast<float>(part.width), h = static_cast<float>(part.height);
+    glUniform4f(uniform(program, name), w / static_cast<float>(whole.width), h / static_cast<float>(whole.height), 0.5f / w, 0.5f / h);
   };
-  setShare("uCloudShare", cloudSize_, static_cast<float>(most_.width), static_cast<float>(most_.height));
-  setShare("uBackdropShare", backdropSize_, static_cast<float>(most_.width / kBackdropShare + 1), static_cast<float>(most_.height / kBackdropShare + 1));
+  setPart("uCloudPart", cloudSize_, most_);
+  setPart("uBackdropPart", backdropSize_, {most_.width / kBackdropShare + 1, most_.height / kBackdropShare + 1});
   setVec3(program, "uSunlight", skyTable_->sunlight);
   glBindVertexArray(noArray_.id());
   glDrawArrays(GL_TRIANGLES, 0, 3);

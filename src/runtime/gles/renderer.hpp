@@ -10,6 +10,7 @@
 #include "runtime/gles/puff_brush.hpp"
 #include "runtime/gles/resolution.hpp"
 #include "runtime/gles/sky_table.hpp"
+#include "runtime/gles/volumes.hpp"
 #include "runtime/runtime.hpp"
 
 namespace cloudgen::runtime::gles {
@@ -19,6 +20,9 @@ struct RendererOptions {
   float finestScale = 1;
   /// They are drawn coarser where frames take longer than this; 0: never.
   float targetMilliseconds = 0;
+  /// Clouds that the runtime hands over as a whole (DetailOptions::impostorPixels) are marched through instead of being
+  /// pictures of themselves.
+  bool volumes = false;
 };
 
 /// Draws what a runtime says into a framebuffer, with OpenGL ES 3.0: sky, ground with the clouds' shadows, the clouds by
@@ -30,8 +34,7 @@ class Renderer {
   Status make(const Runtime& runtime, DecodePng decode, int mostWidth, int mostHeight, const RendererOptions& options) noexcept;
   /// After Runtime::setSun.
   void setLight() noexcept;
-  /// `sceneMeters`, where it is not 0, is a texture of the picture's size whose red channel says how far from the eye the
-  /// application's own things are: clouds fade softly into them. `frameMilliseconds` is what the frame before took.
+  /// `frameMilliseconds` is what the frame before took.
   void draw(const Frame& frame, const Camera& camera, GLuint framebuffer, double frameMilliseconds = 0) noexcept;
   /// Share of the picture's resolution that the clouds are drawn at now.
   float scale() const noexcept { return resolution_.scale(); }
@@ -58,9 +61,10 @@ class Renderer {
   VertexArray shadowArray_, noArray_;
   PuffBrush brush_;
   Impostors impostors_;
+  Volumes volumes_;
   struct Run {
     std::uint32_t first = 0, count = 0;
-    bool isImpostor = false;
+    enum Kind { Puffs, Picture, Volume } kind = Puffs;
   };
   std::vector<DrawPuff> list_, shadows_;
   std::vector<Run> runs_;

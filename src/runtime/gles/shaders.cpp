@@ -107,9 +107,6 @@ void main() {
 
 const char* const kPuffFragment = R"(
 uniform highp sampler2DArray uSpritesA, uSpritesB;
-#ifdef SCENE_DEPTH
-uniform highp sampler2D uSceneMeters;
-#endif
 flat in vec3 vColor, vVeil, vFromPlus, vFromMinus, vDepth;
 flat in float vLayer;
 in vec2 vPlace;
@@ -121,13 +118,9 @@ const float kOfSun = 0.8;  // share of a lit face's colour that the sun gives
 void main() {
   vec4 plus = texture(uSpritesA, vec3(vPlace, vLayer)), minus = texture(uSpritesB, vec3(vPlace, vLayer));
   float relief = 1.0 - kOfSun + 2.0 * kOfSun * (dot(plus.rgb, vFromPlus) + dot(minus.rgb, vFromMinus));
-  // What lies before the ground (or the application's own things): of a Gaussian along the ray.
-#ifdef SCENE_DEPTH
-  float behind = texelFetch(uSceneMeters, ivec2(gl_FragCoord.xy), 0).r - vDepth.y;
-#else
+  // What lies before the ground, of a Gaussian along the ray: so that no line is seen where a sprite cuts it.
   float under = -vRay.y;
   float behind = under > 0.0 ? ((uEye.y - uGround) / under - 1.0) * vDepth.y : 1e9;
-#endif
   float seen = smoothstep(-2.0, 2.0, behind / vDepth.z);
   float open = exp(-vDepth.x * plus.a * seen);
   oColor = vec4((relief * vColor + vVeil) * (1.0 - open), 1.0 - open);
@@ -168,6 +161,103 @@ layout(location = 0) out vec4 oColor;
 void main() {
   vec4 picture = texture(uAtlas, vPlace);
   oColor = vec4(picture.rgb * vClear + vVeil * picture.a, picture.a);
+}
+)";
+
+const char* const kVolumeVertex = R"(
+layout(location = 0) in uvec2 aDraw;  // cloud, grid
+uniform highp sampler2D uBoxes;
+flat out vec4 vLower;                 // of the box, and the greatest extinction
+flat out vec3 vUpper, vEye;           // the eye in the box's axes, at its scale
+flat out mat3 vTurnBack;
+flat out vec3 vDimming;
+flat out vec2 vScale;                 // metres of a unit, on the extinction
+flat out vec2 vGrid;
+out vec3 vRay;
+void main() {
+  Cloud cloud = cloudAt(aDraw.x);
+  vLower = texelFetch(uBoxes, ivec2(0, int(aDraw.y)), 0);
+  vUpper = texelFetch(uBoxes, ivec2(1, int(aDraw.y)), 0).xyz;
+  mat3 turn = turnOf(cloud.yaw);
+  vTurnBack = transpose(turn);
+  vEye = vTurnBack * (uEye - cloud.position) / cloud.scale;
+  vScale = vec2(cloud.scale, cloud.factor);
+  vGrid = vec2(float(aDraw.y % 6u), float(aDraw.y / 6u));
+  vec4 dimSun = archetypeTexel(cloud.archetype, 2), dimOther = archetypeTexel(cloud.archetype, 3);
+  vDimming = (cloud.sunlight * dimSun.xyz + dimOther.xyz) / max(dimSun.xyz + dimOther.xyz, vec3(1e-6));
+
+  // A square before the eye that hides the sphere about the box; all of the picture from near by.
+  vec3 middle = cloud.position + cloud.scale * (turn * (0.5 * (vLower.xyz + vUpper))) - uEye;
+  float radius = 0.5 * cloud.scale * length(vUpper - vLower.xyz), far = length(middle);
+  vec2 corner = vec2(float(gl_VertexID & 1), float(gl_VertexID >> 1)) * 2.0 - 1.0;
+  if (far < 1.3 * radius) {
+    gl_Position = vec4(corner, 0.0, 1.0);
+    vRay = uForward + corner.x / uLens.x * uRight + corner.y / uLens.y * uUp;
+  } else {
+    vec3 facing = middle / far;
+    vec3 right = normalize(cross(facing, abs(facing.y) > 0.99 ? uRight : vec3(0.0, 1.0, 0.0))), up = cross(right, facing);
+    float half_ = radius * far * inversesqrt(far * far - radius * radius);
+    vRay = middle + half_ * (corner.x * right + corner.y * up);
+    gl_Position = vec4(dot(vRay, uRight) * uLens.x, dot(vRay, uUp) * uLens.y, 0.0, dot(vRay, uForward));
+  }
+}
+)";
+
+const char* const kVolumeFragment = R"(
+uniform highp sampler3D uCells;
+flat in vec4 vLower;
+flat in vec3 vUpper, vEye;
+flat in mat3 vTurnBack;
+flat in vec3 vDimming;
+flat in vec2 vScale, vGrid;
+in vec3 vRay;
+layout(location = 0) out vec4 oColor;
+
+const float kCells = 40.0, kAcross = 6.0;
+
+void main() {
+  vec3 d = normalize(vRay), way = vTurnBack * d;
+  // Where the ray goes through the box.
+  vec3 inverse = 1.0 / (abs(way) + 1e-9) * mix(vec3(-1.0), vec3(1.0), greaterThanEqual(way, vec3(0.0)));
+  vec3 a = (vLower.xyz - vEye) * inverse, b = (vUpper - vEye) * inverse;
+  vec3 low = min(a, b), high = max(a, b);
+  float from = max(max(low.x, low.y), max(low.z, 0.0)), to = min(min(high.x, high.y), high.z);
+  // The ground hides what is behind it.
+  if (d.y < 0.0) to = min(to, (uEye.y - uGround) / -d.y / vScale.x);
+  if (to <= from) discard;
+  vec3 size = vUpper - vLower.xyz;
+  float cell = min(size.x, min(size.y, size.z)) / kCells;
+  float jitter = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
+  vec3 light = vec3(0.0);
+  float open = 1.0, seenAt = 0.0;
+  float at = from + cell * jitter * 0.5;
+  for (int i = 0; i < 160; ++i) {
+    if (at >= to || open < 0.01) break;
+    float stepLong = max(0.7 * cell, 0.0008 * at);
+    vec3 place = (vEye + way * at - vLower.xyz) / size;
+    vec4 texel = texture(uCells, vec3((vGrid + place.xy) / kAcross, place.z));
+    if (texel.a < 0.004) {
+      at += 1.8 * stepLong;
+      continue;
+    }
+    float seen = open * (1.0 - exp(-texel.a * texel.a * vLower.w * vScale.y * stepLong));
+    light += seen * texel.rgb;
+    seenAt += seen * at;
+    open -= seen;
+    at += stepLong;
+  }
+  float share = 1.0 - open;
+  if (share < 0.003) discard;
+  // What is left unseen is as bright as the rest.
+  if (open < 0.01) {
+    light /= share;
+    seenAt /= share;
+    share = 1.0;
+  } else {
+    seenAt /= share;
+  }
+  float clear = clarity(d.y, seenAt * vScale.x);
+  oColor = vec4(light * vDimming * clear + hazeColor(d) * ((1.0 - clear) * share), share);
 }
 )";
 
@@ -215,7 +305,7 @@ void main() {
 
 const char* const kPictureFragment = R"(
 uniform sampler2D uCloudLight, uBackdrop;
-uniform vec2 uCloudShare, uBackdropShare;  // of the textures that this frame drew into
+uniform vec4 uCloudPart, uBackdropPart;  // share of the textures that this frame drew into, half a texel of that
 #ifdef SUN_IN_VIEW
 uniform vec3 uSunlight;
 #endif
@@ -227,11 +317,14 @@ vec3 rolledOff(vec3 v) {
   return min(v, vec3(0.75)) + 0.25 * over / (1.0 + over);
 }
 
+/// As far as the middles of the outermost texels that were drawn.
+vec2 within(vec2 place, vec4 part) { return clamp(place, part.zw, 1.0 - part.zw) * part.xy; }
+
 void main() {
   vec2 place = vSlope * uLens * 0.5 + 0.5;
-  vec4 clouds = texture(uCloudLight, place * uCloudShare);
+  vec4 clouds = texture(uCloudLight, within(place, uCloudPart));
   float open = 1.0 - clouds.a;
-  vec3 color = texture(uBackdrop, place * uBackdropShare).rgb * open + clouds.rgb;
+  vec3 color = texture(uBackdrop, within(place, uBackdropPart)).rgb * open + clouds.rgb;
 #ifdef SUN_IN_VIEW
   vec3 d = normalize(uForward + vSlope.x * uRight + vSlope.y * uUp);
   float degrees = 57.29578 * acos(clamp(dot(d, uSun), -1.0, 1.0));

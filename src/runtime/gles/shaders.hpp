@@ -12,6 +12,9 @@ extern const char* const kPuffFragment;
 /// A cloud as a picture of it.
 extern const char* const kImpostorVertex;
 extern const char* const kImpostorFragment;
+/// A cloud as a volume: rays are marched through its grid.
+extern const char* const kVolumeVertex;
+extern const char* const kVolumeFragment;
 /// One triangle over the whole picture.
 extern const char* const kPictureVertex;
 /// Sky and ground with the clouds' shadows.

@@ -84,6 +84,19 @@ TEST_F(RendererTest, FarCloudsAsPicturesLookTheSame) {
   EXPECT_GT(test::ssim(drawn(pictures, camera), wanted), 0.9);
 }
 
+TEST_F(RendererTest, VolumesAreWhatThePreviewDraws) {
+  RuntimeOptions options;
+  options.detail.impostorPixels = 1e9f;
+  ASSERT_TRUE(sky_.open(test::bytesOf(bytes_), options));
+  Renderer renderer;
+  const Status made = renderer.make(sky_, test::decodePng, kWidth, kHeight, {.volumes = true});
+  ASSERT_TRUE(made) << made.problem;
+  const Camera camera = fromTheGround();
+  const double similarity = test::ssim(drawn(renderer, camera), test::preview(heaps(), camera, false));
+  RecordProperty("ssim", std::to_string(similarity));
+  EXPECT_GT(similarity, 0.9);
+}
+
 TEST_F(RendererTest, TheSunMovesOverTheClouds) {
   Renderer renderer;
   ASSERT_TRUE(renderer.make(sky_, test::decodePng, kWidth, kHeight, {}));
