@@ -9,7 +9,7 @@ namespace cloudgen::runtime {
 struct LazyOptions {
   float moveMeters = 40;            ///< the list holds until the camera has moved by this much
   float turnRadians = 0.10f;        ///< or turned
-  int slices = 3;                   ///< a new list is made over so many frames
+  int slices = 5;                   ///< a new list is made over so many frames
   std::size_t mostPuffs = 4 << 20;  ///< that are ever drawn at once
 };
 
@@ -49,6 +49,9 @@ class DrawList {
   std::size_t count_ = 0;
   bool isMade_ = false, isMaking_ = false;
   int passesDone_ = 0;
+  RadixPass pass_;
+  bool isPassBegun_ = false;
+  std::size_t passMoved_ = 0;
   bool isSelected_ = false;
   Camera madeFor_, makingFor_;
   std::uint64_t lastWork_ = 0;

@@ -42,7 +42,7 @@ struct Case {
 
 double run(const Case& test, int frames) {
   const scene::Scene scene = heaps(std::max(test.clouds, 1), test.clustered);
-  std::string bytes = writer::packBytes(scene, writer::packed::picturesOf(scene, {}));
+  std::string bytes = writer::packBytes(scene, writer::packed::picturesOf(scene));
   if (test.clouds == 0)
     bytes = test::packOf(scene, [](pack::RuntimePackT& content) {
       content.instances.clear();

@@ -36,7 +36,7 @@ class RendererTest : public testing::Test {
  protected:
   void SetUp() override {
     if (const Status opened = context_.open(); !opened) GTEST_SKIP() << opened.problem;
-    bytes_ = writer::packBytes(heaps(), writer::packed::picturesOf(heaps(), {}));
+    bytes_ = writer::packBytes(heaps(), writer::packed::picturesOf(heaps()));
     ASSERT_TRUE(sky_.open(test::bytesOf(bytes_)));
   }
   image::Picture drawn(Renderer& renderer, const Camera& camera) {
