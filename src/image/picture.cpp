@@ -39,6 +39,31 @@ std::string pngBytes(const ByteImage& image, PngEffort effort) {
   return encodedPng(spec, image.bytes.data());
 }
 
+ByteImage imageFromPng(std::span<const unsigned char> bytes) {
+  const auto fail = [](const std::string& reason) {
+    throw base::InputError("PNG", "a picture cannot be read (" + reason + ")", "make the file again");
+  };
+  OIIO::Filesystem::IOMemReader proxy(const_cast<unsigned char*>(bytes.data()), bytes.size());
+  OIIO::ImageSpec wanted;
+  wanted.attribute("oiio:UnassociatedAlpha", 1);
+  const auto reader = OIIO::ImageInput::create("png");
+  OIIO::ImageSpec spec;
+  if (!reader || !reader->set_ioproxy(&proxy)) fail("OpenImageIO has no PNG reader");
+  if (!reader->open("memory.png", spec, wanted)) fail(reader->geterror());
+  const auto pixels = static_cast<size_t>(spec.width) * static_cast<size_t>(spec.height),
+             channels = static_cast<size_t>(spec.nchannels);
+  std::vector<unsigned char> stored(pixels * channels);
+  if (!reader->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, stored.data())) fail(reader->geterror());
+  ByteImage image{spec.width, spec.height, 4, std::vector<unsigned char>(pixels * 4, 255)};
+  const bool isGrey = channels < 3;
+  for (size_t i = 0; i < pixels; ++i)
+    for (size_t c = 0; c < 4; ++c) {
+      const size_t from = !isGrey ? c : c < 3 ? 0 : 1;
+      if (from < channels) image.bytes[4 * i + c] = stored[channels * i + from];
+    }
+  return image;
+}
+
 void writePng(const std::filesystem::path& file, const ByteImage& image, PngEffort effort) {
   base::writeFile(file, pngBytes(image, effort));
 }

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <glm/vec3.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,9 @@ enum class PngEffort { Smallest, Quick };
 
 /// A PNG file (through OpenImageIO); the same bytes for the same image. Throws OutputError.
 std::string pngBytes(const ByteImage& image, PngEffort effort = PngEffort::Smallest);
+
+/// The pixels of a PNG file, RGBA with straight alpha. Throws InputError.
+ByteImage imageFromPng(std::span<const unsigned char> bytes);
 
 /// Writes a PNG; the file is whole or absent. Throws OutputError.
 void writePng(const std::filesystem::path& file, const ByteImage& image,

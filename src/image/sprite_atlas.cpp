@@ -33,10 +33,13 @@ std::vector<SpriteAtlas> readSpriteManifest(const std::filesystem::path& texture
       if (!genus) fail("names an unknown genus");
       atlas.genus = *genus;
       atlas.file = entry.at("file");
+      atlas.sixwayA = entry.at("sixway_a");
+      atlas.sixwayB = entry.at("sixway_b");
       atlas.columns = entry.at("columns");
       atlas.rows = entry.at("rows");
       atlas.tilePixels = entry.at("tile_pixels");
-      if (atlas.file.find_first_of("/\\") != std::string::npos || atlas.columns < 1 || atlas.rows < 1 ||
+      const bool isElsewhere = (atlas.file + atlas.sixwayA + atlas.sixwayB).find_first_of("/\\") != std::string::npos;
+      if (isElsewhere || atlas.columns < 1 || atlas.rows < 1 ||
           atlas.tilePixels < 2)
         fail("has an atlas with a bad file name or size");
       atlases.push_back(atlas);

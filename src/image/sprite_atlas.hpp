@@ -13,7 +13,8 @@ namespace cloudgen::image {
 /// One square texture of sprites a genus: `columns` x `rows` tiles, numbered row by row from the top left.
 struct SpriteAtlas {
   base::Genus genus{};
-  std::string file;  ///< within the textures folder
+  std::string file;              ///< within the textures folder
+  std::string sixwayA, sixwayB;  ///< its light maps (SpriteMaps), there, at half its resolution
   int columns = 1, rows = 1, tilePixels = 0;
 
   int tiles() const { return columns * rows; }

@@ -103,34 +103,43 @@ SpriteSheets bakeSprites(base::Genus genus, bool withMaps) {
   return sheets;
 }
 
-void writeSpriteSet(const std::filesystem::path& folder, bool withMaps, const base::Progress& progress) {
+ByteImage halved(const ByteImage& image) {
+  const auto channels = static_cast<std::size_t>(image.channels);
+  ByteImage half{image.width / 2, image.height / 2, image.channels, {}};
+  for (int y = 0; y < half.height; ++y)
+    for (int x = 0; x < half.width; ++x)
+      for (std::size_t c = 0; c < channels; ++c) {
+        int sum = 2;
+        for (const auto& [dx, dy] : {std::pair{0, 0}, {1, 0}, {0, 1}, {1, 1}})
+          sum += image.bytes[channels * static_cast<std::size_t>((2 * y + dy) * image.width + 2 * x + dx) + c];
+        half.bytes.push_back(static_cast<unsigned char>(sum / 4));
+      }
+  return half;
+}
+
+void writeSpriteSet(const std::filesystem::path& folder, bool withNormals, const base::Progress& progress) {
   nlohmann::ordered_json manifest{
-      {"description", "Sprites of cloudgen, made by `cloudgen textures`: straight alpha, sRGB"}};
-  if (withMaps)
-    manifest["maps"] =
-        "linear, not sRGB. normal: x right, y up, z to the eye as 0.5 + 0.5 n. sixway_a: light from the "
-        "right, "
-        "above, behind; sixway_b: from the left, below, the front. Alpha as in the sprite";
+      {"description", "Sprites of cloudgen, made by `cloudgen textures`: straight alpha, sRGB"},
+      {"maps",
+       "linear, not sRGB. sixway_a: light from the right, above, behind; sixway_b: from the left, below, the front; at half "
+       "the resolution. normal: x right, y up, z to the eye as 0.5 + 0.5 n. Alpha as in the sprite"}};
   for (const base::Genus genus : base::allGenera()) {
     progress.step("textures", static_cast<double>(genus) / base::kGenusCount);
     const std::string name(base::name(genus)), file = name + ".png";
-    const SpriteSheets sheets = bakeSprites(genus, withMaps);
+    const SpriteSheets sheets = bakeSprites(genus, true);
     writePng(folder / file, sheets.color);
     nlohmann::ordered_json entry{{"genus", base::abbreviation(genus)},
                                  {"file", file},
                                  {"columns", kSpriteTilesAcross},
                                  {"rows", kSpriteTilesAcross},
                                  {"tile_pixels", kSpriteTilePixels}};
-    if (sheets.maps) {
-      const std::array<std::pair<std::string, const ByteImage*>, 3> maps{
-          {{"normal", &sheets.maps->normal},
-           {"sixway_a", &sheets.maps->sixwayA},
-           {"sixway_b", &sheets.maps->sixwayB}}};
-      for (const auto& [kind, image] : maps) {
-        entry[kind] = fmt::format("{}.{}.png", name, kind);
-        writePng(folder / entry[kind].get<std::string>(), *image);
-      }
-    }
+    const auto add = [&](const std::string& kind, const ByteImage& image) {
+      entry[kind] = fmt::format("{}.{}.png", name, kind);
+      writePng(folder / entry[kind].get<std::string>(), image);
+    };
+    add("sixway_a", halved(sheets.maps->sixwayA));
+    add("sixway_b", halved(sheets.maps->sixwayB));
+    if (withNormals) add("normal", sheets.maps->normal);
     manifest["atlases"].push_back(std::move(entry));
   }
   base::writeFile(folder / "manifest.json", manifest.dump(2) + "\n");

@@ -24,9 +24,11 @@ struct SpriteSheets {
 };
 SpriteSheets bakeSprites(base::Genus genus, bool withMaps);
 
-/// Writes every genus's atlas and manifest.json into a folder that exists; with maps also GENUS.normal.png,
-/// GENUS.sixway_a.png and GENUS.sixway_b.png. The set in textures/ is the one without: scene files name no
-/// maps.
-void writeSpriteSet(const std::filesystem::path& folder, bool withMaps, const base::Progress& progress);
+/// Each pixel the mean of four: light is smooth.
+ByteImage halved(const ByteImage& image);
+
+/// Writes every genus's atlas, its six-way light maps at half the resolution (GENUS.sixway_a.png, GENUS.sixway_b.png) and
+/// manifest.json into a folder that exists; where asked also GENUS.normal.png. The set in textures/ is the one without.
+void writeSpriteSet(const std::filesystem::path& folder, bool withNormals, const base::Progress& progress);
 
 }  // namespace cloudgen::image

@@ -55,6 +55,7 @@ void DrawList::begin(const CloudSet& clouds, const Camera& camera, const DetailO
   isMaking_ = true;
   isSelected_ = false;
   passesDone_ = 0;
+  isPassBegun_ = false;
   selection_.begin(clouds, camera, Frustum(camera, options_.turnRadians, options_.moveMeters),
                    options_.moveMeters, detail);
 }
@@ -67,25 +68,33 @@ bool DrawList::advance(std::uint64_t work) noexcept {
   }
   std::uint64_t left = work - std::min(work, selection_.work() - before);
   const std::size_t count = selection_.puffs().size();
-  const std::uint64_t passWork = count;
   const int next = 1 - shown_;
-  for (; passesDone_ < 2; ++passesDone_) {
-    // A pass is not cut in two: it waits for a frame that has half of it to spare.
-    if (left < passWork / 2) return false;
-    left -= std::min(left, passWork);
-    const std::span<std::uint16_t> halfKeys(halfKeys_.data(), count), keys(keys_.data(), count);
-    const std::span<DrawPuff> half(half_.data(), count), whole(lists_[next].data(), count);
-    if (passesDone_ == 0)
-      sortByByte(0, selection_.keys(), selection_.puffs(), halfKeys, half);
-    else
-      sortByByte(1, halfKeys, half, keys, whole);
+  const std::span<std::uint16_t> halfKeys(halfKeys_.data(), count), keys(keys_.data(), count);
+  const std::span<DrawPuff> half(half_.data(), count), whole(lists_[next].data(), count);
+  while (passesDone_ < 2) {
+    if (left == 0 && count > 0) return false;
+    const bool isFirst = passesDone_ == 0;
+    const std::span<const std::uint16_t> fromKeys = isFirst ? selection_.keys() : halfKeys;
+    if (!isPassBegun_) {
+      isPassBegun_ = true;
+      passMoved_ = 0;
+      pass_ = RadixPass(passesDone_, fromKeys);
+      left -= std::min<std::uint64_t>(left, count / 4);
+    }
+    const std::size_t moved = isFirst ? pass_.advance(left, fromKeys, selection_.puffs(), halfKeys, half)
+                                      : pass_.advance(left, fromKeys, half, keys, whole);
+    passMoved_ += moved;
+    left -= moved;
+    if (passMoved_ < count) return false;
+    ++passesDone_;
+    isPassBegun_ = false;
   }
   shown_ = next;
   count_ = count;
   isMade_ = true;
   isMaking_ = false;
   madeFor_ = makingFor_;
-  lastWork_ = selection_.work() + 2 * passWork;
+  lastWork_ = selection_.work() + 2 * (count + count / 4);
   return true;
 }
 

@@ -9,7 +9,7 @@ namespace cloudgen::runtime {
 struct LazyOptions {
   float moveMeters = 40;            ///< the list holds until the camera has moved by this much
   float turnRadians = 0.10f;        ///< or turned
-  int slices = 3;                   ///< a new list is made over so many frames
+  int slices = 5;                   ///< a new list is made over so many frames
   std::size_t mostPuffs = 4 << 20;  ///< that are ever drawn at once
 };
 
@@ -30,6 +30,7 @@ class DrawList {
   /// What `update` must not keep: the clouds or the detail changed.
   void forget() noexcept { isMade_ = isMaking_ = false; }
 
+  std::size_t capacity() const noexcept { return keys_.size(); }
   std::span<const DrawPuff> puffs() const noexcept { return {lists_[shown_].data(), count_}; }
   float orderErrorMeters() const noexcept { return orderError_; }
   const Selection& selection() const noexcept { return selection_; }
@@ -48,6 +49,9 @@ class DrawList {
   std::size_t count_ = 0;
   bool isMade_ = false, isMaking_ = false;
   int passesDone_ = 0;
+  RadixPass pass_;
+  bool isPassBegun_ = false;
+  std::size_t passMoved_ = 0;
   bool isSelected_ = false;
   Camera madeFor_, makingFor_;
   std::uint64_t lastWork_ = 0;

@@ -55,6 +55,8 @@ class Lighting {
   const Vec3& sunDirection() const noexcept { return direction_; }
   /// As clouds of an archetype see it.
   Vec3 sunColor(std::uint32_t archetype) const noexcept;
+  /// As the lowest clouds see it.
+  const Vec3& sunColorAtGround() const noexcept { return sunColors_.front(); }
   Dimming dimming(std::uint32_t archetype) const noexcept;
 
  private:

@@ -1,27 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/radix_sort.hpp"
 
-#include <array>
+#include <algorithm>
 #include <bit>
 
 namespace cloudgen::runtime {
 
-void sortByByte(int byte, std::span<const std::uint16_t> fromKeys, std::span<const DrawPuff> from,
-                std::span<std::uint16_t> toKeys, std::span<DrawPuff> to) noexcept {
-  const int shift = 8 * byte;
-  std::array<std::uint32_t, 256> next{};
-  for (const std::uint16_t key : fromKeys) ++next[key >> shift & 255];
+RadixPass::RadixPass(int byte, std::span<const std::uint16_t> keys) noexcept : shift_(8 * byte) {
+  for (const std::uint16_t key : keys) ++next_[key >> shift_ & 255];
   std::uint32_t before = 0;
-  for (std::uint32_t& place : next) {
+  for (std::uint32_t& place : next_) {
     const std::uint32_t count = place;
     place = before;
     before += count;
   }
-  for (std::size_t i = 0; i < from.size(); ++i) {
-    const std::uint32_t place = next[fromKeys[i] >> shift & 255]++;
+}
+
+std::size_t RadixPass::advance(std::size_t most, std::span<const std::uint16_t> fromKeys, std::span<const DrawPuff> from,
+                               std::span<std::uint16_t> toKeys, std::span<DrawPuff> to) noexcept {
+  const std::size_t begin = moved_, end = moved_ + std::min(most, from.size() - moved_);
+  for (std::size_t i = begin; i < end; ++i) {
+    const std::uint32_t place = next_[fromKeys[i] >> shift_ & 255]++;
     toKeys[place] = fromKeys[i];
     to[place] = from[i];
   }
+  moved_ = end;
+  return end - begin;
 }
 
 std::uint16_t farFirst(float squaredMeters) noexcept {

@@ -2,6 +2,7 @@
 #include "runtime/runtime.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <new>
 #include <utility>
 
@@ -70,6 +71,15 @@ Status Runtime::startEndless(const EndlessOptions& options) noexcept {
   state.endless = std::move(sky);
   state.isEndless = state.cloudsChanged = true;
   return {};
+}
+
+std::size_t Runtime::mostClouds() const noexcept {
+  return state_->isEndless ? state_->endless.instances().size() : state_->pack.instances().size();
+}
+
+float Runtime::groundMeters() const noexcept {
+  const pack::Frame* frame = state_->pack.root().frame();
+  return frame && std::isfinite(frame->ground_meters()) ? frame->ground_meters() : 0.0f;
 }
 
 void Runtime::setTime(double seconds) noexcept {

@@ -39,6 +39,11 @@ class Runtime {
   bool empty() const noexcept { return state_ == nullptr; }
   const PackView& pack() const noexcept { return state_->pack; }
   const Lighting& lighting() const noexcept { return state_->lighting; }
+  /// The most clouds and puffs that a frame may have, until the next startEndless.
+  std::size_t mostClouds() const noexcept;
+  std::size_t mostPuffs() const noexcept { return state_->list.capacity(); }
+  /// Height of the ground under the clouds.
+  float groundMeters() const noexcept;
   /// Lights the puffs anew: costs about 0.1 microseconds a colour (Lighting::colors).
   void setSun(const SunPlace& sun) noexcept { state_->lighting.setSun(sun); }
   /// Seconds from the pack's valid time; without keyframes nothing moves.

@@ -32,7 +32,7 @@ void Selection::begin(const CloudSet& clouds, const Camera& camera, const Frustu
   detail_ = detail;
   focalPixels_ = camera.focalPixels();
   marginMeters_ = marginMeters;
-  count_ = aroundCount_ = 0;
+  count_ = aroundCount_ = impostors_ = 0;
   work_ = 0;
   waitingCount_ = 0;
   nextCloud_ = endCloud_ = 0;
@@ -90,6 +90,12 @@ std::uint32_t Selection::chosenLevel(const ArchetypeInfo& archetype, std::uint32
   return level;
 }
 
+bool Selection::isImpostor(std::uint32_t index, float pixels) const noexcept {
+  if (!(detail_.impostorPixels > 0) || impostors_ >= detail_.mostImpostors || count_ == puffs_.size()) return false;
+  const float slack = levels_[index] == kImpostorLevel ? detail_.hysteresis : -detail_.hysteresis;
+  return pixels < detail_.impostorPixels * (1 + slack);
+}
+
 void Selection::visitCloud(std::uint32_t index, bool inside) noexcept {
   const pack::Instance& cloud = clouds_.instances[index];
   const ArchetypeInfo& archetype = pack_->archetypes()[cloud.archetype()];
@@ -100,7 +106,15 @@ void Selection::visitCloud(std::uint32_t index, bool inside) noexcept {
   const float squared = dot(away, away);
   const float reach = radius + marginMeters_;
   if (squared < reach * reach && aroundCount_ < kMostAround) around_[aroundCount_++] = index;
-  const float nearest = std::max(std::sqrt(squared) - radius, 1.0f);
+  const float distance = std::sqrt(squared), nearest = std::max(distance - radius, 1.0f);
+  if (isImpostor(index, 2 * radius * focalPixels_ / std::max(distance, 1.0f))) {
+    levels_[index] = kImpostorLevel;
+    keys_[count_] = farFirst(squared);
+    puffs_[count_++] = {index, kImpostor};
+    ++impostors_;
+    ++work_;
+    return;
+  }
   const std::uint32_t level = chosenLevel(archetype, levels_[index], cloud.scale() * focalPixels_ / nearest);
   levels_[index] = static_cast<std::uint8_t>(level);
   const std::uint32_t first = archetype.first[level], count = archetype.count[level];

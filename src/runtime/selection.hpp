@@ -17,6 +17,9 @@ struct DetailOptions {
   float hysteresis = 0.15f;  ///< a cloud changes its level only this share of errorPixels beyond the limit
   /// Levels before this one are not used: 0 for all.
   std::uint32_t finestLevel = 0;
+  /// A cloud that looks smaller than this, across its sphere, is one picture (kImpostor); 0: none is.
+  float impostorPixels = 0;
+  std::uint32_t mostImpostors = 256;
 };
 
 /// The clouds that a selection walks. Tiles may be none: then every cloud is looked at.
@@ -27,6 +30,7 @@ struct CloudSet {
 };
 
 inline constexpr std::size_t kMostAround = 128;
+inline constexpr std::uint8_t kImpostorLevel = 0xfe;
 
 /// What a camera sees of a set of clouds, each in the detail that it needs, in pieces: begin, then `advance` until it
 /// says that all is done. Nothing is allocated after the constructor.
@@ -49,7 +53,7 @@ class Selection {
   std::uint64_t work() const noexcept { return work_; }
   /// The clouds whose sphere holds the eye, or nearly (within the frustum's margin): the first kMostAround of them.
   std::span<const std::uint32_t> around() const noexcept { return {around_.data(), aroundCount_}; }
-  /// Level of a cloud when it was last seen.
+  /// Level of a cloud when it was last seen, kImpostorLevel for a picture.
   std::uint32_t levelOf(std::size_t instance) const noexcept { return levels_[instance]; }
 
  private:
@@ -59,6 +63,7 @@ class Selection {
   };
   void visitTile(const Visit& visit) noexcept;
   void visitCloud(std::uint32_t index, bool inside) noexcept;
+  bool isImpostor(std::uint32_t index, float pixels) const noexcept;
   std::uint32_t chosenLevel(const ArchetypeInfo& archetype, std::uint32_t current, float pixelsPerMeter) const noexcept;
 
   const PackView* pack_ = nullptr;
@@ -75,6 +80,7 @@ class Selection {
   std::vector<DrawPuff> puffs_;
   std::vector<std::uint16_t> keys_;
   std::size_t count_ = 0;
+  std::uint32_t impostors_ = 0;
   std::uint64_t work_ = 0;
   std::array<std::uint32_t, kMostAround> around_{};
   std::size_t aroundCount_ = 0;

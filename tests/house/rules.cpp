@@ -90,7 +90,7 @@ void checkWords(const Line& line, std::vector<Violation>& found) {
   const auto has = [&](const std::regex& words) {
     return std::regex_search(code.begin(), code.end(), words);
   };
-  const bool isCli = line.file.starts_with("src/cli/");
+  const bool isCli = line.file.starts_with("src/cli/") || line.file.starts_with("src/fly/");
   if (!isCli && has(kPrinting))
     found.push_back({std::string(line.file), line.number, "print", "only src/cli/ prints"});
   if (has(kChance))

@@ -32,6 +32,8 @@ inline const std::array kRooms{
     Room{"src/runtime/", {}},
     Room{"src/cli/",
          {"base", "field", "input", "shape", "light", "image", "scene", "pipeline", "writer", "check"}},
+    // A program of its own: what an application that embeds the runtime looks like.
+    Room{"src/fly/", {"base", "image", "runtime"}},
 };
 
 /// Headers that begin with `header` are private to files that begin with one of `owners`.
@@ -59,7 +61,9 @@ inline const std::array kLibraries{
     Library{"valijson/", {"src/pipeline/"}},
     Library{"flatbuffers/", {"src/writer/pack/", "src/check/pack/", "src/runtime/"}},
     Library{"runtime_pack_generated", {"src/writer/pack/", "src/check/pack/", "src/runtime/"}},
-    Library{"CLI/", {"src/cli/"}},
+    Library{"EGL/", {"src/runtime/gles/"}},
+    Library{"GLES3/", {"src/runtime/gles/", "src/fly/"}},
+    Library{"CLI/", {"src/cli/", "src/fly/"}},
     Library{"zlib.h", {"src/base/gzip.cpp"}},
     Library{"CL/", {}},
     Library{"Magick", {}},
@@ -75,7 +79,8 @@ inline const std::set<std::string_view> kJsonOwners{"src/shape/recipe.cpp",
                                                     "src/check/gltf/",
                                                     "src/check/tiles3d/",
                                                     "src/check/report/",
-                                                    "src/cli/"};
+                                                    "src/cli/",
+                                                    "src/fly/"};
 
 /// Ends a process that it has forked for itself; nothing else but src/cli/ ends one.
 inline constexpr std::string_view kChildProcess = "src/input/trial.cpp";

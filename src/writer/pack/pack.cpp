@@ -246,7 +246,7 @@ void writePack(const scene::Scene& scene, const Destination& destination) {
     throw base::OutputError(file.string(),
                             fmt::format("cannot number {} cloud shapes", scene.archetypes.size()),
                             "choose a smaller --bbox, or leave pack out of --formats");
-  const auto pictures = picturesOf(scene, destination.progress);
+  const auto pictures = picturesOf(scene);
   destination.progress.step("pack", 0);
   base::writeFile(file, packBytes(scene, pictures));
   destination.progress.step("pack", 1);

@@ -4,13 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "base/progress.hpp"
 #include "scene/scene.hpp"
 
 namespace cloudgen::writer::packed {
 
-/// The sprites of a genus as PNG files: the colours as bundled in textures/, and the six-way light maps at half
-/// their resolution (light is smooth).
+/// The sprites of a genus as the PNG files that are bundled in textures/: colours, and six-way light maps at half
+/// their resolution.
 struct Pictures {
   base::Genus genus{};
   int columns = 1, rows = 1;
@@ -19,6 +18,6 @@ struct Pictures {
 
 /// One a genus of the scene's archetypes, in the order of the enumeration. Throws InputError if the bundled
 /// textures are missing.
-std::vector<Pictures> picturesOf(const scene::Scene& scene, const base::Progress& progress);
+std::vector<Pictures> picturesOf(const scene::Scene& scene);
 
 }  // namespace cloudgen::writer::packed

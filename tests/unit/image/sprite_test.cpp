@@ -83,6 +83,15 @@ TEST(Sprites, TheCommittedSetIsWhatIsBaked) {
       << "make the set again with: cloudgen textures --no-maps -o textures";
 }
 
+TEST(Sprites, TheCommittedLightMapsAreWhatIsBaked) {
+  const auto atlases = readSpriteManifest(textures());
+  const SpriteAtlas& atlas = atlasOf(atlases, base::Genus::Cumulus);
+  const SpriteSheets baked = bakeSprites(base::Genus::Cumulus, true);
+  EXPECT_TRUE(test::readPng(textures() / atlas.sixwayA).bytes == halved(baked.maps->sixwayA).bytes)
+      << "make the set again with: cloudgen textures --no-maps -o textures";
+  EXPECT_TRUE(test::readPng(textures() / atlas.sixwayB).bytes == halved(baked.maps->sixwayB).bytes);
+}
+
 TEST(Sprites, LightMapsBelongToTheSprite) {
   const SpriteSheets sheets = bakeSprites(base::Genus::Cumulus, true);
   ASSERT_TRUE(sheets.maps);
@@ -131,11 +140,11 @@ TEST(Sprites, ABrokenManifestIsRefused) {
   const test::Scratch folder;
   EXPECT_THROW(readSpriteManifest(folder.path()), base::InputError);
   for (const char* text : {"", "[]", "{\"atlases\": []}",
-                           "{\"atlases\": [{\"genus\": \"Xy\", \"file\": \"a.png\", \"columns\": 1, "
+                           "{\"atlases\": [{\"genus\": \"Xy\", \"file\": \"a.png\", \"sixway_a\": \"b.png\", \"sixway_b\": \"c.png\", \"columns\": 1, "
                            "\"rows\": 1, \"tile_pixels\": 8}]}",
-                           "{\"atlases\": [{\"genus\": \"Cu\", \"file\": \"../a.png\", \"columns\": 1, "
+                           "{\"atlases\": [{\"genus\": \"Cu\", \"file\": \"../a.png\", \"sixway_a\": \"b.png\", \"sixway_b\": \"c.png\", \"columns\": 1, "
                            "\"rows\": 1, \"tile_pixels\": 8}]}",
-                           "{\"atlases\": [{\"genus\": \"Cu\", \"file\": \"a.png\", \"columns\": 0, "
+                           "{\"atlases\": [{\"genus\": \"Cu\", \"file\": \"a.png\", \"sixway_a\": \"b.png\", \"sixway_b\": \"c.png\", \"columns\": 0, "
                            "\"rows\": 1, \"tile_pixels\": 8}]}"}) {
     folder.write("manifest.json", text);
     EXPECT_THROW(readSpriteManifest(folder.path()), base::InputError) << text;
