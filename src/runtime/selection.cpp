@@ -92,6 +92,7 @@ std::uint32_t Selection::chosenLevel(const ArchetypeInfo& archetype, std::uint32
 
 void Selection::visitCloud(std::uint32_t index, bool inside) noexcept {
   const pack::Instance& cloud = clouds_.instances[index];
+  if (!(cloud.optical_depth_factor() > 0)) return;
   const ArchetypeInfo& archetype = pack_->archetypes()[cloud.archetype()];
   const float radius = archetype.radiusMeters * cloud.scale();
   const Vec3 middle = vec3(cloud.position()) + archetype.middle * cloud.scale();

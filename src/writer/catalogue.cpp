@@ -20,7 +20,7 @@ std::span<const Format> formats() {
       {"vrml", "VRML97", {"scene.wrl"}, writeVrml97},
       {"splats", "Gaussian splats: glTF with KHR_gaussian_splatting", {"scene.splats.glb"}, writeSplats},
       {"glb", "core glTF 2.0: instanced crossed cards", {"scene.glb"}, writeCards},
-      {"pack", "realtime runtime pack (FlatBuffers)", {"scene.cgpack"}, writePack},
+      {"pack", "realtime runtime pack (FlatBuffers)", {"scene.cgpack"}, writePack, false, false, true},
       {"tiles", "3D Tiles 1.1: a quadtree of splats on the globe", {"tileset.json"}, writeTiles, true},
       {"page", "a page that opens in any browser (shows the splats)", {"index.html"}, writePage, false, true},
   };

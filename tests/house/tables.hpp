@@ -32,7 +32,7 @@ inline const std::array kRooms{
     // What an application embeds: the standard library and FlatBuffers.
     Room{"src/runtime/", {}},
     Room{"src/cli/",
-         {"base", "field", "input", "shape", "light", "image", "scene", "pipeline", "writer", "check"}},
+         {"base", "field", "input", "shape", "light", "image", "scene", "pipeline", "writer", "check", "runtime"}},
 };
 
 /// Headers that begin with `header` are private to files that begin with one of `owners`.
