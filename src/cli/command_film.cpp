@@ -3,6 +3,8 @@
 #include <spawn.h>
 #include <sys/wait.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/error.hpp"
@@ -48,6 +50,7 @@ void encode(const fs::path& frames, const fs::path& film, double framesPerSecond
 }
 
 int film(const FilmLine& line, const Terminal& terminal) {
+  const auto size = sizeFromText(line.size);
   const base::ThreadLimit limit(line.threads);
   const base::Progress progress = terminal.progress();
   const bool isFilm = base::hasExtension(line.output, kFilms);
@@ -55,7 +58,7 @@ int film(const FilmLine& line, const Terminal& terminal) {
   if (file.first() == file.last())
     throw base::InputError(line.folder, "stands still", "build it with --time all from several times");
   WrittenSky sky = file.at(file.first());
-  const image::Camera camera = cameraFrom(line.view, line.size, fs::path(line.folder) / "report.json", sky);
+  const image::Camera camera = cameraFrom(line.view, size, fs::path(line.folder) / "report.json", sky);
   const auto step = std::max<std::int64_t>(1, std::llround(60 * line.stepMinutes));
   const std::int64_t frames = (file.last().seconds - file.first().seconds) / step + 1;
   // Frames of a film stand beside it until it is whole.

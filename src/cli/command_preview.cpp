@@ -27,6 +27,7 @@ WrittenSky skyAt(const std::filesystem::path& folder, const std::string& text) {
 }
 
 int preview(const PreviewLine& line, const Terminal& terminal) {
+  const auto size = sizeFromText(line.size);
   const base::ThreadLimit limit(line.threads);
   const bool isFolder = std::filesystem::is_directory(line.input);
   const std::filesystem::path input = line.input;
@@ -34,7 +35,7 @@ int preview(const PreviewLine& line, const Terminal& terminal) {
     throw base::UsageError("--time " + line.time, "needs the folder of the scene", "name the folder instead of the file");
   WrittenSky sky = line.time.empty() ? readSplatSky(isFolder ? input / "scene.splats.glb" : input) : skyAt(input, line.time);
   const image::Camera camera =
-      cameraFrom(line.view, line.size, isFolder ? input / "report.json" : std::filesystem::path(), sky);
+      cameraFrom(line.view, size, isFolder ? input / "report.json" : std::filesystem::path(), sky);
   image::RenderOptions options{.detail = !line.draft};
   // Something to look at while the rest is drawn; the file is replaced as a whole.
   options.coarse = [&](const image::Picture& picture) { image::writePng(line.output, picture); };

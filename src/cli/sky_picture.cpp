@@ -16,16 +16,6 @@
 namespace cloudgen::cli {
 namespace {
 
-std::pair<int, int> sizeFromText(const std::string& text) {
-  const auto parts = base::split(text, 'x');
-  double width = 0, height = 0;
-  if (parts.size() != 2 || !base::parseNumber(parts[0], width) || !base::parseNumber(parts[1], height) ||
-      width < 16 || height < 16 || width > 16384 || height > 16384)
-    throw base::UsageError("--size " + text, "is not WIDTHxHEIGHT with sides of 16 to 16384 pixels",
-                           "as in --size 1280x720");
-  return {static_cast<int>(width), static_cast<int>(height)};
-}
-
 /// "lon,lat,height:lon,lat,height" in the scene frame.
 void aim(image::Camera& camera, const std::string& text, const std::filesystem::path& report) {
   const auto points = base::split(text, ':');
@@ -63,6 +53,16 @@ image::Splat splatOf(const runtime::PlacedPuff& puff) {
 }
 
 }  // namespace
+
+std::pair<int, int> sizeFromText(const std::string& text) {
+  const auto parts = base::split(text, 'x');
+  double width = 0, height = 0;
+  if (parts.size() != 2 || !base::parseNumber(parts[0], width) || !base::parseNumber(parts[1], height) ||
+      width < 16 || height < 16 || width > 16384 || height > 16384)
+    throw base::UsageError("--size " + text, "is not WIDTHxHEIGHT with sides of 16 to 16384 pixels",
+                           "as in --size 1280x720");
+  return {static_cast<int>(width), static_cast<int>(height)};
+}
 
 WrittenSky readSplatSky(const std::filesystem::path& path) {
   constexpr float kHarmonic1 = 0.4886025119029199f;
@@ -134,9 +134,9 @@ WrittenSky MovingSkyFile::at(base::UtcTime time) {
   return sky;
 }
 
-image::Camera cameraFrom(const std::string& view, const std::string& size, const std::filesystem::path& report,
+image::Camera cameraFrom(const std::string& view, const std::pair<int, int>& size, const std::filesystem::path& report,
                          WrittenSky& sky) {
-  const auto [width, height] = sizeFromText(size);
+  const auto [width, height] = size;
   try {
     if (!report.empty())
       sky.surroundings.groundHeightMeters = nlohmann::json::parse(base::readFile(report)).at("frame").at("ground_m");

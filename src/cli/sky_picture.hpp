@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/time.hpp"
@@ -40,7 +41,10 @@ class MovingSkyFile {
 
 /// "top", "ground", "horizon" or "lon,lat,height:lon,lat,height"; `report` is the scene's, or empty for a file without
 /// one. Sets the height of the ground, too. Throws UsageError, InputError.
-image::Camera cameraFrom(const std::string& view, const std::string& size, const std::filesystem::path& report,
+image::Camera cameraFrom(const std::string& view, const std::pair<int, int>& size, const std::filesystem::path& report,
                          WrittenSky& sky);
+
+/// "960x540": width and height in pixels. Throws UsageError.
+std::pair<int, int> sizeFromText(const std::string& text);
 
 }  // namespace cloudgen::cli
