@@ -38,6 +38,7 @@ std::function<int()> setupBuild(CLI::App&, const Terminal&);
 std::function<int()> setupInspect(CLI::App&, const Terminal&);
 std::function<int()> setupValidate(CLI::App&, const Terminal&);
 std::function<int()> setupPreview(CLI::App&, const Terminal&);
+std::function<int()> setupFilm(CLI::App&, const Terminal&);
 std::function<int()> setupTextures(CLI::App&, const Terminal&);
 std::function<int()> setupTypes(CLI::App&, const Terminal&);
 std::function<int()> setupFormats(CLI::App&, const Terminal&);

@@ -131,9 +131,21 @@ int build(const BuildLine& line, const Terminal& terminal) {
                                           : openTyping(line.typing, line.input, source->info().validTime,
                                                        line.typingWindowMinutes);
   options.typing = typing.get();
+  const bool moves = line.input.allTimes() && source->info().validTimes.size() > 1;
+  if (moves && typing)
+    throw base::UsageError("--time all", "cannot be joined with a typing yet", "leave --typing out, or choose one --time");
   base::StagedFolder folder(line.output, line.overwrite);
   watch.lap("open");
-  const pipeline::Outcome outcome = pipeline::run(*source, options, progress);
+  std::optional<pipeline::MovingSky> moving;
+  if (moves) {
+    InputLine at = line.input;
+    const auto open = [&](base::UtcTime time) {
+      at.time = base::isoText(time);
+      return openInput(at);
+    };
+    moving = pipeline::runTimes(source->info().validTimes, open, options, progress);
+  }
+  const pipeline::Outcome outcome = moving ? std::move(moving->first) : pipeline::run(*source, options, progress);
   watch.lap("pipeline");
   writer::Destination destination{folder.path(), progress};
   destination.tiles = {tileContents().at(line.tiles), line.tilesGzip};
@@ -143,7 +155,7 @@ int build(const BuildLine& line, const Terminal& terminal) {
     for (const writer::Format* format : formats) {
       if (format->showsVerification != showingVerification) continue;
       progress.step(fmt::format("writing {}", format->name), 0);
-      format->write(outcome.scene, destination);
+      format->write(moving && format->moves ? moving->scene : outcome.scene, destination);
       watch.lap(fmt::format("write_{}", format->name));
     }
   };
@@ -161,11 +173,19 @@ int build(const BuildLine& line, const Terminal& terminal) {
   const auto shapes = shapesOf(options.recipes, outcome.scene);
   if (!shapes.empty()) report["shapes"] = shapes;
   if (verification) report["verify"] = *verification;
+  if (moving) {
+    report["motion"] = motionOf(*moving);
+    report["valid_times"] = nlohmann::ordered_json::array();
+    for (const base::UtcTime time : moving->times) report["valid_times"].push_back(base::isoText(time));
+  }
   base::writeFile(folder.path() / "report.json", report.dump(2) + "\n");
   progress.step("writing", 1);
   folder.commit();
 
   for (const std::string& warning : outcome.warnings) terminal.warn(warning);
+  const bool motionWritten = std::any_of(formats.begin(), formats.end(), [](const auto* format) { return format->moves; });
+  if (moving && !motionWritten)
+    terminal.warn("no file holds the motion: the pack does, and it is not among --formats");
   const bool shapeSeen =
       std::any_of(shapes.begin(), shapes.end(), [](const auto& shape) { return shape.at("clouds") > 0; });
   if (!line.shape.file.empty() && !shapeSeen)

@@ -31,6 +31,7 @@ struct SceneReport {
   base::GeoBox box;
   std::string definition, validTime;
   double groundMeters = 0;
+  bool moves = false;
 };
 
 SceneReport readReport(const fs::path& folder) {
@@ -41,7 +42,8 @@ SceneReport readReport(const fs::path& folder) {
     return {{box.at(0), box.at(1), box.at(2), box.at(3)},
             report.at("frame").at("definition"),
             report.at("valid_times").at(0),
-            report.at("frame").at("ground_m")};
+            report.at("frame").at("ground_m"),
+            report.at("valid_times").size() > 1};
   } catch (const nlohmann::json::exception& error) {
     throw base::InputError(file.string(), std::string("is not a report of cloudgen (") + error.what() + ")",
                            "name the folder of a scene, or build it again");
@@ -50,7 +52,7 @@ SceneReport readReport(const fs::path& folder) {
 
 /// The time of the scene, where the line leaves it open and the input has it.
 void takeTime(InputLine& input, const SceneReport& report) {
-  if (input.time != "all") return;
+  if (input.time != "first") return;
   const auto source = openInput(input);
   for (const base::UtcTime time : source->info().validTimes)
     if (base::isoText(time) == report.validTime) input.time = report.validTime;
@@ -90,11 +92,15 @@ int verify(const VerifyLine& line, const Terminal& terminal) {
   const auto typing = line.typing.empty() ? nullptr
                                           : openTyping(line.typing, input, source->info().validTime,
                                                        line.typingWindowMinutes);
-  if (base::isoText(source->info().validTime) != report.validTime)
+  if (!report.moves && base::isoText(source->info().validTime) != report.validTime)
     terminal.warn(fmt::format("the scene is valid at {}, the input at {}", report.validTime,
                               base::isoText(source->info().validTime)));
   const check::Tolerances tolerances;
-  check::WrittenScene scene = readWritten(line.folder, line.format, frame, progress);
+  // What moves is read as it stands at the time of the input.
+  const auto valid = base::utcFromIso(report.validTime);
+  const double seconds =
+      report.moves && valid ? static_cast<double>(source->info().validTime.seconds - valid->seconds) : 0;
+  check::WrittenScene scene = readWritten(line.folder, line.format, frame, progress, seconds);
   scene.groundMeters = report.groundMeters;
   const check::Fidelity fidelity =
       check::compareWithModel(scene, frame, *source, typing.get(), tolerances, progress);

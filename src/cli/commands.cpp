@@ -28,6 +28,7 @@ std::span<const Command> commands() {
       {"validate", "check scenes against the schema and the rules of the standard", setupValidate},
       {"verify", "compare a written scene with its model, column by column", setupVerify},
       {"preview", "a picture of a written scene", setupPreview},
+      {"film", "frames or a film of a sky that moves", setupFilm},
       {"textures", "make the sprite set", setupTextures},
       {"types", "the cloud types and their recipes", setupTypes},
       {"formats", "the output formats", setupFormats},

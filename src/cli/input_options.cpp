@@ -12,9 +12,9 @@
 namespace cloudgen::cli {
 namespace {
 
-/// Nothing for "all".
+/// Nothing for "first" and "all".
 std::optional<base::UtcTime> timeFromText(const std::string& text) {
-  if (text == "all") return std::nullopt;
+  if (text == "first" || text == "all") return std::nullopt;
   const auto time = base::utcFromIso(text);
   if (!time)
     throw base::UsageError("--time " + text, "is not an ISO time",
@@ -59,7 +59,7 @@ void addInputOptions(CLI::App& options, InputLine& line) {
 }
 
 void addReadingOptions(CLI::App& options, InputLine& line) {
-  options.add_option("--time", line.time, "a valid time (ISO), or all: the first of several is taken")
+  options.add_option("--time", line.time, "of several: a valid time (ISO), first, or all (build makes a sky that moves)")
       ->capture_default_str();
   options.add_option("--at", line.place,
                      "LONGITUDE,LATITUDE[,ELEVATION] of an input that does not say where it is");

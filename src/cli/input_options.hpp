@@ -12,7 +12,9 @@ namespace cloudgen::cli {
 /// What build and inspect share about their input, as written on the command line.
 struct InputLine {
   std::vector<std::string> inputs;
-  std::string time = "all", place, byteOrder, stations;
+  std::string time = "first", place, byteOrder, stations;
+
+  bool allTimes() const { return time == "all"; }
 };
 
 /// Declares INPUT, --time, --at, --byte-order and --stations.

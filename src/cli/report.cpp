@@ -73,6 +73,25 @@ ordered_json typingOf(const field::Source& typing, const pipeline::Pairing& pair
 
 }  // namespace
 
+ordered_json motionOf(const pipeline::MovingSky& sky) {
+  ordered_json hours = ordered_json::array();
+  for (const pipeline::HourOfMotion& hour : sky.hours)
+    hours.push_back({{"from", base::isoText(hour.from)},
+                     {"to", base::isoText(hour.to)},
+                     {"matched", hour.matched},
+                     {"matched_share", rounded(hour.matchedShare, 1e4)},
+                     {"splits", hour.splits},
+                     {"mergers", hour.mergers},
+                     {"births", hour.births},
+                     {"deaths", hour.deaths},
+                     {"wind_m_s", rounded(hour.windMetersPerSecond, 100)},
+                     {"drift_over_wind", rounded(hour.driftOverWind, 1e4)}});
+  return {{"hours", hours},
+          {"lifetimes", sky.lifetimes},
+          {"clouds", sky.scene.instances.size()},
+          {"keyframes", sky.scene.keySeconds.size()}};
+}
+
 ordered_json reportOf(const field::Source& source, const field::Source* typing,
                       const pipeline::Outcome& outcome, const std::filesystem::path& folder,
                       const std::vector<std::pair<std::string, double>>& timingsSeconds) {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "field/source.hpp"
-#include "pipeline/pipeline.hpp"
+#include "pipeline/moving.hpp"
 
 namespace cloudgen::cli {
 
@@ -16,5 +16,8 @@ namespace cloudgen::cli {
 nlohmann::ordered_json reportOf(const field::Source& source, const field::Source* typing,
                                 const pipeline::Outcome& outcome, const std::filesystem::path& folder,
                                 const std::vector<std::pair<std::string, double>>& timingsSeconds);
+
+/// The part of the report on a sky that moves.
+nlohmann::ordered_json motionOf(const pipeline::MovingSky& sky);
 
 }  // namespace cloudgen::cli

@@ -8,7 +8,7 @@
 namespace cloudgen::cli {
 
 check::WrittenScene readWritten(const std::filesystem::path& folder, const std::string& format,
-                                const base::LocalFrame& frame, const base::Progress& progress) {
+                                const base::LocalFrame& frame, const base::Progress& progress, double seconds) {
   const auto splats = folder / "scene.splats.glb", x3d = folder / "scene.x3d", glb = folder / "scene.glb",
              pack = folder / "scene.cgpack", tiles = folder / "tileset.json";
   const auto isThere = [](const std::filesystem::path& file) { return std::filesystem::exists(file); };
@@ -20,7 +20,10 @@ check::WrittenScene readWritten(const std::filesystem::path& folder, const std::
   if (format == "auto" && chosen == "tiles" && !isThere(tiles))
     throw base::InputError(folder.string(), "has no scene.cgpack, scene.splats.glb, scene.x3d, scene.glb or tileset.json",
                            "build it with --formats pack, x3d, splats, glb or tiles");
-  if (chosen == "pack") return check::readPackScene(pack);
+  if (chosen == "pack") return check::readPackScene(pack, seconds);
+  if (seconds != 0)
+    throw base::InputError(folder.string(), "moves, but its " + chosen + " stands still at the first time",
+                           "read the pack (--format pack), or compare with the first time");
   if (chosen == "x3d") return check::readX3dScene(x3d, progress);
   if (chosen == "glb") return check::readGlbScene(glb);
   if (chosen == "ply") return check::readPlyScene(folder / "scene.splats.ply");

@@ -13,6 +13,7 @@
 #include "pipeline/origin.hpp"
 #include "pipeline/production.hpp"
 #include "pipeline/quantity.hpp"
+#include "pipeline/steps.hpp"
 #include "pipeline/type.hpp"
 
 namespace cloudgen::pipeline {
@@ -61,7 +62,7 @@ std::vector<std::string> fileNames(const std::vector<std::string>& files) {
 
 }  // namespace
 
-Outcome run(const field::Source& source, const Options& options, const base::Progress& progress) {
+Located locate(const field::Source& source, const Options& options, const base::Progress& progress) {
   progress.step("origin", 0);
   const field::Source* const typing = options.typing;
   const base::GeoBox wanted = options.box.value_or(field::extent(source.grid()));
@@ -80,11 +81,15 @@ Outcome run(const field::Source& source, const Options& options, const base::Pro
   outcome.patches = joinPatches(grid, table.layers);
 
   progress.step("type", 0.2);
-  const auto surroundings = typeLayers(grid, table.layers);
+  auto surroundings = typeLayers(grid, table.layers);
   outcome.isccp = isccpConfusion(table.layers);
+  return {grid, std::move(origin), std::move(table), std::move(surroundings), std::move(outcome),
+          typing ? overlay.typedShare : 1.0};
+}
 
-  progress.step("quantity", 0.25);
-  const Generalisation general = placeWithinBudget(grid, origin.frame, origin.cells, options, table);
+Outcome finish(Located&& located, const field::Source& source, const Generalisation& general, const Options& options,
+               const base::Progress& progress) {
+  auto& [grid, origin, table, surroundings, outcome, typedShare] = located;
   outcome.enlargement = enlargementOf(general, table.layers, options);
   standOnTerrain(origin.ground, origin.frame, table);
 
@@ -94,13 +99,13 @@ Outcome run(const field::Source& source, const Options& options, const base::Pro
   outcome.scene.provenance = {fileNames(source.info().files), source.info().format, source.info().model,
                               source.info().run ? base::isoText(*source.info().run) : std::string()};
   for (const field::Warning& warning : source.info().warnings) outcome.warnings.push_back(warning.text);
-  if (typing && overlay.typedShare < 1)
+  if (typedShare < 1)
     outcome.warnings.push_back(fmt::format(
         "the typing covers {:.0f} % of the box: clouds stand in the model's cells, and where it has "
         "nothing they are typed by rule; take a --bbox inside it for its own detail",
-        100 * overlay.typedShare));
-  if (typing)
-    for (const field::Warning& warning : typing->info().warnings)
+        100 * typedShare));
+  if (options.typing)
+    for (const field::Warning& warning : options.typing->info().warnings)
       outcome.warnings.push_back("typing: " + warning.text);
   outcome.warnings.insert(outcome.warnings.end(), origin.warnings.begin(), origin.warnings.end());
   if (outcome.enlargement > 1.01)
@@ -115,7 +120,15 @@ Outcome run(const field::Source& source, const Options& options, const base::Pro
         options.maxPuffs, drawn));
   if (table.clouds.empty())
     outcome.warnings.push_back("the model has no cloud in this box: the sky is clear");
-  return outcome;
+  return std::move(outcome);
+}
+
+Outcome run(const field::Source& source, const Options& options, const base::Progress& progress) {
+  Located located = locate(source, options, progress);
+  progress.step("quantity", 0.25);
+  const Generalisation general =
+      placeWithinBudget(located.grid, located.origin.frame, located.origin.cells, options, located.table);
+  return finish(std::move(located), source, general, options, progress);
 }
 
 }  // namespace cloudgen::pipeline

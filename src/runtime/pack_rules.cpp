@@ -127,8 +127,17 @@ Status keyframesOf(const pack::RuntimePack& root) {
   for (const pack::Keyframe* frame : *root.keyframes()) {
     if (!std::isfinite(frame->seconds()) || frame->seconds() <= before) return {"time does not go forward"};
     before = frame->seconds();
+    if (frame->clouds()) {
+      if (frame->clouds()->size() != sizeOf(frame->motions())) return {"a keyframe does not move every cloud that it names"};
+      std::int64_t last = -1;
+      for (const std::uint32_t cloud : *frame->clouds()) {
+        if (cloud <= last || cloud >= root.instances()->size()) return {"a keyframe names a cloud that is not there"};
+        last = cloud;
+      }
+    }
     if (sizeOf(frame->motions()) == 0) continue;
-    if (frame->motions()->size() != root.instances()->size()) return {"a keyframe does not move every cloud"};
+    if (!frame->clouds() && frame->motions()->size() != root.instances()->size())
+      return {"a keyframe does not move every cloud"};
     for (const pack::Motion* motion : *frame->motions())
       if (!finite(motion->shift()) || !(motion->growth() > 0 && motion->growth() < 1e6f) ||
           !(motion->presence() >= 0 && motion->presence() < 1e6f))

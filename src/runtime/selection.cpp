@@ -98,6 +98,7 @@ bool Selection::isImpostor(std::uint32_t index, float pixels) const noexcept {
 
 void Selection::visitCloud(std::uint32_t index, bool inside) noexcept {
   const pack::Instance& cloud = clouds_.instances[index];
+  if (!(cloud.optical_depth_factor() > 0)) return;
   const ArchetypeInfo& archetype = pack_->archetypes()[cloud.archetype()];
   const float radius = archetype.radiusMeters * cloud.scale();
   const Vec3 middle = vec3(cloud.position()) + archetype.middle * cloud.scale();

@@ -50,6 +50,35 @@ shape::Bounds boundsOf(const Scene& scene, const Instance& instance) {
           instance.position + glm::vec3(reach, box.upper.y * instance.scale, reach)};
 }
 
+std::vector<Instance> instancesAt(const Scene& scene, double seconds) {
+  std::vector<Instance> instances = scene.instances;
+  const std::vector<double>& keys = scene.keySeconds;
+  if (keys.empty()) return instances;
+  const double time = std::clamp(seconds, keys.front(), keys.back());
+  const auto after = static_cast<std::size_t>(
+      std::max<std::ptrdiff_t>(1, std::lower_bound(keys.begin(), keys.end(), time) - keys.begin()));
+  const std::size_t to = std::min(after, keys.size() - 1), from = to == 0 ? 0 : to - 1;
+  const float share = to > from ? static_cast<float>((time - keys[from]) / (keys[to] - keys[from])) : 0.0f;
+  for (std::size_t i = 0; i < instances.size(); ++i) {
+    const Motion& motion = scene.motions[i];
+    const auto at = [&](std::size_t key) -> const Moment* {
+      return key >= motion.firstKey && key < motion.firstKey + motion.moments.size()
+                 ? &motion.moments[key - motion.firstKey]
+                 : nullptr;
+    };
+    const Moment *a = at(from), *b = at(to);
+    Instance& cloud = instances[i];
+    if (!a || !b) {
+      cloud.opticalDepthFactor = 0;
+      continue;
+    }
+    cloud.position += a->shift + share * (b->shift - a->shift);
+    cloud.scale *= a->growth + share * (b->growth - a->growth);
+    cloud.opticalDepthFactor *= a->presence + share * (b->presence - a->presence);
+  }
+  return instances;
+}
+
 float groundAt(const Scene& scene, double x, double z) {
   if (scene.terrain.empty() || !scene.terrain.covers(x, z)) return scene.groundHeightMeters;
   return std::max(scene.groundHeightMeters, static_cast<float>(scene.terrain.heightAt(x, z)));

@@ -58,6 +58,20 @@ struct Instance {
   float sunlight = 1;  ///< share of the sun that other clouds above let through to it
 };
 
+/// Where an instance is at a moment, against its place in the scene.
+struct Moment {
+  glm::vec3 shift{0};
+  float growth = 1;    ///< on its scale; more than 0
+  float presence = 1;  ///< on its optical depth: 0 where it is not there
+};
+
+/// The moments of an instance at the entries of Scene::keySeconds from `firstKey` on, linear between them. Before and
+/// after it is not there.
+struct Motion {
+  std::uint32_t firstKey = 0;
+  std::vector<Moment> moments;
+};
+
 /// Where a cloud comes from; parallel to Scene::instances.
 struct CloudRecord {
   std::uint64_t id = 0;  ///< stable: cell, layer (8 bits) and number in the layer (24 bits)
@@ -91,6 +105,8 @@ struct Scene {
   float groundHeightMeters = 0;  ///< lowest ground, and all of it where the terrain is empty
   base::HeightField terrain;     ///< its border lies at groundHeightMeters
   light::ShadowPlane shadows;    ///< of all clouds, where they fall on the ground
+  std::vector<double> keySeconds;  ///< of a sky that moves: from validTime on, ascending; else empty
+  std::vector<Motion> motions;     ///< one an instance, or none
 };
 
 /// Number of puffs that are drawn when every instance is drawn in full.
@@ -98,6 +114,10 @@ std::uint64_t drawnPuffs(const Scene& scene);
 
 /// The puff of an instance in the scene frame: centre, deviations, rotation, extinction.
 shape::Puff placed(const Scene& scene, const Instance& instance, const shape::Puff& puff);
+
+/// The instances as they stand at a time of a sky that moves, those that are not there with an optical depth of 0. Times
+/// before the first key and after the last are taken there.
+std::vector<Instance> instancesAt(const Scene& scene, double seconds);
 
 /// Yaw of a step, radians.
 float yawRadians(int yawStep);

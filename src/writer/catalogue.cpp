@@ -23,7 +23,7 @@ std::span<const Format> formats() {
       {"splats", "Gaussian splats: glTF with KHR_gaussian_splatting", {"scene.splats.glb"}, writeSplats},
       {"ply", "Gaussian splats as splat tools read them", {"scene.splats.ply"}, writePly, true},
       {"glb", "core glTF 2.0: instanced crossed cards", {"scene.glb"}, writeCards},
-      {"pack", "realtime runtime pack (FlatBuffers)", {"scene.cgpack"}, writePack},
+      {"pack", "realtime runtime pack (FlatBuffers)", {"scene.cgpack"}, writePack, false, false, true},
       {"tiles", "3D Tiles 1.1: a quadtree of splats or cards on the globe", {"tileset.json"}, writeTiles, true},
       {"impostors", "pictures of each cloud from all sides, with depth", {"impostors.json"}, writeImpostors, true},
       {"page", "a page that opens in any browser (shows the pack)", {"index.html"}, writePage, false, true},

@@ -51,6 +51,7 @@ struct Format {
   void (*write)(const scene::Scene&, const Destination&);
   bool onlyOnRequest = false;      ///< not among those that are written when none is named
   bool showsVerification = false;  ///< wants Destination::verification: written after the scene was verified
+  bool moves = false;              ///< holds motions; the others get the scene of the first time
 };
 
 }  // namespace cloudgen::writer

@@ -22,8 +22,9 @@ inline const std::array kRooms{
     Room{"src/shape/", {"base"}},
     Room{"src/light/", {"base", "shape"}},
     Room{"src/image/", {"base", "shape", "light"}},
+    Room{"src/motion/", {"base", "field", "shape"}},
     Room{"src/scene/", {"base", "shape", "light", "image"}},
-    Room{"src/pipeline/", {"base", "field", "shape", "light", "image", "scene"}},
+    Room{"src/pipeline/", {"base", "field", "shape", "light", "image", "motion", "scene"}},
     // A writer sees the scene and what the scene is made of.
     Room{"src/writer/", {"base", "scene", "shape", "light", "image"}},
     // A second opinion: what reads the written bytes shares no code with what wrote them.
@@ -31,7 +32,7 @@ inline const std::array kRooms{
     // What an application embeds: the standard library and FlatBuffers.
     Room{"src/runtime/", {}},
     Room{"src/cli/",
-         {"base", "field", "input", "shape", "light", "image", "scene", "pipeline", "writer", "check"}},
+         {"base", "field", "input", "shape", "light", "image", "scene", "pipeline", "writer", "check", "runtime"}},
     // A program of its own: what an application that embeds the runtime looks like.
     Room{"src/fly/", {"base", "image", "runtime"}},
 };

@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "check/fidelity/written_scene.hpp"
+#include "check/pack/pack_motion.hpp"
 #include "check/pack/read_pack.hpp"
 #include "check/pack/validate_pack.hpp"
 
@@ -37,31 +38,32 @@ void addPuffs(const pack::RuntimePack& root, const pack::Instance& cloud, Writte
 
 }  // namespace
 
-WrittenScene readPackScene(const std::filesystem::path& file) {
-  WrittenScene scene = readPackScene(base::readFile(file), file.string());
+WrittenScene readPackScene(const std::filesystem::path& file, double seconds) {
+  WrittenScene scene = readPackScene(base::readFile(file), file.string(), seconds);
   scene.file = file.filename().string();
   return scene;
 }
 
-WrittenScene readPackScene(std::string_view bytes, const std::string& where) {
+WrittenScene readPackScene(std::string_view bytes, const std::string& where, double seconds) {
   const ValidationResult result = validatePack(bytes, where);
   if (!result.valid())
     throw base::InputError(where, "is not a sound pack: " + result.findings.front().message,
                            "cloudgen validate says more; build it again");
   std::string problem;
   const pack::RuntimePack& root = *packIn(bytes, problem);
+  const std::vector<pack::Instance> clouds = cloudsAt(root, seconds);
   std::uint64_t puffs = 0;
-  for (const pack::Instance* cloud : *root.instances())
-    puffs += root.archetypes()->Get(cloud->archetype())->levels()->Get(0)->count();
+  for (const pack::Instance& cloud : clouds)
+    puffs += root.archetypes()->Get(cloud.archetype())->levels()->Get(0)->count();
   if (puffs > kMostPuffs)
     throw base::InputError(where, fmt::format("draws {} puffs, more than can be read", puffs),
                            "is it a scene of cloudgen?");
   WrittenScene scene{where, "pack", {}, {}, {}, 0};
   scene.blobs.reserve(puffs);
-  for (const pack::Instance* cloud : *root.instances()) {
-    addPuffs(root, *cloud, scene);
-    const pack::Archetype& archetype = *root.archetypes()->Get(cloud->archetype());
-    scene.clouds.push_back({vec3(cloud->position()), genusOf(archetype.genus()),
+  for (const pack::Instance& cloud : clouds) {
+    addPuffs(root, cloud, scene);
+    const pack::Archetype& archetype = *root.archetypes()->Get(cloud.archetype());
+    scene.clouds.push_back({vec3(cloud.position()), genusOf(archetype.genus()),
                             genusOf(root.atlases()->Get(archetype.atlas())->genus())});
   }
   return scene;

@@ -311,7 +311,15 @@ void PackRules::checkKeyframes() {
     if (!std::isfinite(frame.seconds()) || frame.seconds() <= before)
       error("keyframes", fmt::format("keyframes[{}] is no later than the one before", k));
     before = frame.seconds();
-    if (sizeOf(frame.motions()) != 0 && sizeOf(frame.motions()) != clouds)
+    if (frame.clouds()) {
+      if (frame.clouds()->size() != sizeOf(frame.motions()))
+        error("count", fmt::format("keyframes[{}] names {} clouds and moves {}", k, frame.clouds()->size(),
+                                   sizeOf(frame.motions())));
+      each("keyframes", fmt::format("keyframes[{}].clouds", k), frame.clouds()->size(),
+           "is no cloud, or not above the one before", [&](std::uint32_t i) {
+             return frame.clouds()->Get(i) >= clouds || (i > 0 && frame.clouds()->Get(i) <= frame.clouds()->Get(i - 1));
+           });
+    } else if (sizeOf(frame.motions()) != 0 && sizeOf(frame.motions()) != clouds)
       error("count", fmt::format("keyframes[{}] moves {} of {} clouds", k, sizeOf(frame.motions()), clouds));
     each("keyframes", fmt::format("keyframes[{}].motions", k), sizeOf(frame.motions()), "is no motion",
          [&](std::uint32_t i) {

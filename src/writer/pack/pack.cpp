@@ -173,6 +173,27 @@ Offset<pack::Frame> addFrame(FlatBufferBuilder& builder, const scene::Scene& sce
                            box.east, box.north, origin.x, origin.y, scene.groundHeightMeters);
 }
 
+/// The clouds that are there at each key, in the order of the pack.
+std::vector<Offset<pack::Keyframe>> addKeyframes(FlatBufferBuilder& builder, const scene::Scene& scene,
+                                                 const std::vector<std::uint32_t>& order) {
+  std::vector<Offset<pack::Keyframe>> frames;
+  for (std::uint32_t key = 0; key < scene.keySeconds.size(); ++key) {
+    std::vector<pack::Motion> motions;
+    std::vector<std::uint32_t> clouds;
+    for (std::uint32_t i = 0; i < order.size(); ++i) {
+      const scene::Motion& motion = scene.motions[order[i]];
+      if (key < motion.firstKey || key >= motion.firstKey + motion.moments.size()) continue;
+      const scene::Moment& moment = motion.moments[key - motion.firstKey];
+      motions.emplace_back(vec3(moment.shift), moment.growth, moment.presence);
+      clouds.push_back(i);
+    }
+    const auto motionsAt = builder.CreateVectorOfStructs(motions);
+    const auto cloudsAt = builder.CreateVector(clouds);
+    frames.push_back(pack::CreateKeyframe(builder, scene.keySeconds[key], motionsAt, cloudsAt));
+  }
+  return frames;
+}
+
 }  // namespace
 
 std::string packBytes(const scene::Scene& scene, std::span<const Pictures> pictures) {
@@ -212,6 +233,8 @@ std::string packBytes(const scene::Scene& scene, std::span<const Pictures> pictu
   const auto daylightAt = builder.CreateVectorOfStructs(days);
   const auto heightsAt = builder.CreateVector(sunHeights);
   const auto colorsAt = builder.CreateVectorOfStructs(sunColors);
+  const auto keyframes = addKeyframes(builder, scene, tree.order);
+  const auto keyframesAt = keyframes.empty() ? Vector<Offset<pack::Keyframe>>() : builder.CreateVector(keyframes);
   const auto frame = addFrame(builder, scene);
   const auto provenance = addProvenance(builder, scene);
   const pack::Sun sun(static_cast<float>(scene.sun.azimuthDegrees), static_cast<float>(scene.sun.elevationDegrees),
@@ -236,6 +259,7 @@ std::string packBytes(const scene::Scene& scene, std::span<const Pictures> pictu
   out.add_lift_lowest(light::kLowest);
   out.add_frame(frame);
   out.add_provenance(provenance);
+  if (!keyframes.empty()) out.add_keyframes(keyframesAt);
   pack::FinishRuntimePackBuffer(builder, out.Finish());
   return {reinterpret_cast<const char*>(builder.GetBufferPointer()), builder.GetSize()};
 }

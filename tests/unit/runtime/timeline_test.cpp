@@ -18,6 +18,51 @@ void addKeyframes(pack::RuntimePackT& content) {
   }
 }
 
+/// Cloud 1 is there until the end, cloud 2 from the middle on; the others never.
+void addLives(pack::RuntimePackT& content) {
+  const std::vector<std::vector<std::uint32_t>> there{{1}, {1, 2}, {1, 2}};
+  for (std::size_t k = 0; k < there.size(); ++k) {
+    auto frame = std::make_unique<pack::KeyframeT>();
+    frame->seconds = 300 * static_cast<double>(k);
+    frame->clouds = there[k];
+    for (const std::uint32_t cloud : there[k])
+      frame->motions.emplace_back(pack::Vec3(10, 0, 0), 1.0f, cloud == 2 && k == 1 ? 0.0f : 1.0f);
+    content.keyframes.push_back(std::move(frame));
+  }
+}
+
+TEST(Timeline, CloudsAreThereInTheirLivesAlone) {
+  const std::string bytes = test::packOf(test::packScene(), addLives);
+  PackView view;
+  ASSERT_TRUE(view.open(test::bytesOf(bytes)));
+  Timeline timeline(view);
+  const auto presence = [&](double seconds, std::size_t cloud) {
+    timeline.setTime(seconds);
+    return timeline.instances()[cloud].optical_depth_factor() / view.instances()[cloud].optical_depth_factor();
+  };
+  for (const double seconds : {0.0, 150.0, 450.0, 600.0}) {
+    EXPECT_EQ(presence(seconds, 0), 0);
+    EXPECT_EQ(presence(seconds, 1), 1);
+  }
+  EXPECT_EQ(presence(150, 2), 0);
+  EXPECT_NEAR(presence(450, 2), 0.5f, 1e-6f);
+}
+
+TEST(Timeline, KeyframesOfCloudsThatAreNotThereAreRefused) {
+  const auto opens = [](const auto& change) {
+    const std::string bytes = test::packOf(test::packScene(), [&](pack::RuntimePackT& content) {
+      addLives(content);
+      change(*content.keyframes[1]);
+    });
+    PackView view;
+    return static_cast<bool>(view.open(test::bytesOf(bytes)));
+  };
+  EXPECT_TRUE(opens([](pack::KeyframeT&) {}));
+  EXPECT_FALSE(opens([](pack::KeyframeT& frame) { frame.clouds = {2, 1}; }));
+  EXPECT_FALSE(opens([](pack::KeyframeT& frame) { frame.clouds = {1}; }));
+  EXPECT_FALSE(opens([](pack::KeyframeT& frame) { frame.clouds = {1, 1'000'000}; }));
+}
+
 TEST(Timeline, RunsStraightBetweenKeyframes) {
   const std::string bytes = test::packOf(test::packScene(), addKeyframes);
   PackView view;

@@ -67,6 +67,37 @@ TEST(Pack, EveryPuffIsWhereTheSceneHasItAndAsDense) {
     }
 }
 
+/// Cloud i is there from key i % 3 on, goes east and grows.
+scene::Scene movingScene() {
+  scene::Scene scene = test::packScene();
+  scene.keySeconds = {0, 600, 1200, 3600};
+  for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+    scene::Motion motion{i % 3, {}};
+    for (std::uint32_t key = motion.firstKey; key < 4; ++key)
+      motion.moments.push_back({{100 * static_cast<float>(key), 5, 0}, 1 + 0.1f * static_cast<float>(key),
+                                key == motion.firstKey ? 0.0f : 0.8f});
+    scene.motions.push_back(motion);
+  }
+  return scene;
+}
+
+TEST(Pack, ASkyThatMovesStandsAsTheSceneAtAnyTime) {
+  const scene::Scene scene = movingScene();
+  const std::string bytes = test::packOf(scene);
+  EXPECT_TRUE(check::validatePack(bytes, "moving.cgpack").valid());
+  for (const double seconds : {-5.0, 0.0, 300.0, 600.0, 1000.0, 3000.0, 9000.0}) {
+    std::vector<std::pair<float, float>> wanted, written;
+    for (const scene::Instance& cloud : scene::instancesAt(scene, seconds))
+      if (cloud.opticalDepthFactor > 0) wanted.emplace_back(cloud.position.x, cloud.position.z);
+    for (const check::WrittenCloud& cloud : check::readPackScene(bytes, "moving.cgpack", seconds).clouds)
+      written.emplace_back(cloud.foot.x, cloud.foot.z);
+    std::sort(wanted.begin(), wanted.end());
+    std::sort(written.begin(), written.end());
+    ASSERT_EQ(written.size(), wanted.size()) << seconds;
+    for (std::size_t i = 0; i < wanted.size(); ++i) EXPECT_NEAR(written[i].first, wanted[i].first, 0.01f) << seconds;
+  }
+}
+
 TEST(Pack, QuaternionsComeBackWithinAFifthOfADegree) {
   base::RandomStream random(1, 0, base::Purpose::Test);
   for (int i = 0; i < 2000; ++i) {

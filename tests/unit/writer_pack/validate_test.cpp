@@ -59,6 +59,15 @@ const std::vector<Break> kBreaks{
     {"keyframes", [](RuntimePackT& p) {
        for (int i = 0; i < 2; ++i) p.keyframes.push_back(std::make_unique<pack::KeyframeT>());
      }},
+    {"keyframes", [](RuntimePackT& p) {
+       p.keyframes.push_back(std::make_unique<pack::KeyframeT>());
+       p.keyframes[0]->clouds = {3, 3};
+       p.keyframes[0]->motions.assign(2, pack::Motion({0, 0, 0}, 1, 1));
+     }},
+    {"count", [](RuntimePackT& p) {
+       p.keyframes.push_back(std::make_unique<pack::KeyframeT>());
+       p.keyframes[0]->clouds = {3};
+     }},
     {"pack-bytes", [](RuntimePackT& p) { p.version = 2; }},
 };
 

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline/moving_clouds.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "base/thread.hpp"
+
+namespace cloudgen::pipeline {
+namespace {
+
+/// The least size of a cloud that comes or goes; what is left is not there.
+constexpr float kLeastGrowth = 0.02f;
+
+/// A cloud that forms (share from 0 to 1): area and optical depth grow such that its water grows evenly, the area the
+/// more, as the cover follows it.
+scene::Moment formed(double share) {
+  return {glm::vec3(0), std::max(kLeastGrowth, static_cast<float>(std::pow(share, 0.4))),
+          static_cast<float>(std::pow(share, 0.2))};
+}
+
+double eased(double share) { return share * share * (3 - 2 * share); }
+
+/// How far the straight lines between every `stride`th place of a way leave it.
+double cutCorners(const std::vector<glm::dvec2>& way, std::size_t stride) {
+  double most = 0;
+  for (std::size_t i = 0; i + 1 < way.size(); ++i) {
+    const std::size_t from = i / stride * stride, to = std::min(from + stride, way.size() - 1);
+    const double share = static_cast<double>(i - from) / static_cast<double>(to - from);
+    most = std::max(most, glm::distance(way[i], way[from] + share * (way[to] - way[from])));
+  }
+  return most;
+}
+
+/// The same way with every `stride`th place.
+std::vector<glm::dvec2> thinned(const std::vector<glm::dvec2>& way, std::size_t stride) {
+  std::vector<glm::dvec2> out;
+  for (std::size_t i = 0; i < way.size(); i += stride) out.push_back(way[i]);
+  return out;
+}
+
+/// Of the pair's way: it leaves the one's and comes into the other's.
+glm::dvec2 placeOfPair(const std::vector<glm::dvec2>& forwards, const std::vector<glm::dvec2>& backwards, std::size_t i) {
+  const double share = static_cast<double>(i) / static_cast<double>(forwards.size() - 1);
+  return forwards[i] + eased(share) * (backwards[i] - forwards[i]);
+}
+
+glm::vec3 shiftOf(const glm::dvec2& place, const motion::CarriedCloud& home, double baseMeters) {
+  return {place.x - home.place.x, baseMeters - home.baseMeters, place.y - home.place.y};
+}
+
+}  // namespace
+
+CloudsOfTime cloudsOfTime(const field::Grid& grid, const base::LocalFrame& frame, const field::CloudTable& table) {
+  std::vector<motion::WindSample> samples;
+  const auto sample = [&](const field::GeoPoint& point, const glm::dvec2& place, float height, double east, double north) {
+    const glm::dvec2 direction = frame.eastDirection(point.longitudeDegrees, point.latitudeDegrees);
+    samples.push_back({place, height, glm::vec2(east * direction.x + north * direction.y, east * direction.y - north * direction.x)});
+  };
+  for (const field::Layer& layer : table.layers) {
+    const field::GeoPoint point = field::centerOf(grid, layer.cell);
+    const glm::dvec3 at = frame.toScene(point.longitudeDegrees, point.latitudeDegrees, 0);
+    const glm::dvec2 place(at.x, at.z);
+    for (const float share : {-0.5f, 0.0f, 0.5f})
+      sample(point, place, layer.baseMeters + (0.5f + share) * layer.depthMeters(), layer.windEast + share * layer.shearEast,
+             layer.windNorth + share * layer.shearNorth);
+  }
+  CloudsOfTime out{{}, {frame.lowerCorner(), frame.upperCorner(), samples}};
+  for (const field::Cloud& cloud : table.clouds) {
+    const glm::dvec3 at = frame.toScene(cloud.longitudeDegrees, cloud.latitudeDegrees, cloud.baseMeters);
+    out.clouds.push_back({{at.x, at.z}, cloud.widthMeters, cloud.baseMeters, cloud.depthMeters, table.layers[cloud.layer].genus});
+  }
+  return out;
+}
+
+Passage passageOf(const CloudsOfTime& earlier, const CloudsOfTime& later, double seconds) {
+  constexpr std::size_t kFine = 24;
+  Passage passage;
+  passage.seconds = seconds;
+  const motion::WindBetween wind{earlier.wind, later.wind, seconds};
+  const auto waysOf = [&](const CloudsOfTime& time, bool backwards) {
+    std::vector<std::vector<glm::dvec2>> ways(time.clouds.size());
+    base::parallelFor(ways.size(), [&](std::size_t i) {
+      const motion::CarriedCloud& cloud = time.clouds[i];
+      ways[i] = motion::pathOf(wind, cloud.place, cloud.baseMeters + 0.5 * cloud.depthMeters, kFine, backwards);
+      if (backwards) std::reverse(ways[i].begin(), ways[i].end());
+    });
+    return ways;
+  };
+  passage.forwards = waysOf(earlier, false);
+  passage.backwards = waysOf(later, true);
+  const auto halfway = [](const CloudsOfTime& time, const std::vector<std::vector<glm::dvec2>>& ways) {
+    std::vector<motion::CarriedCloud> carried = time.clouds;
+    for (std::size_t i = 0; i < carried.size(); ++i) carried[i].place = ways[i][kFine / 2];
+    return carried;
+  };
+  passage.tracking = motion::track(halfway(earlier, passage.forwards), halfway(later, passage.backwards));
+
+  // As few intervals as follow the ways of nearly all clouds within a quarter of their width.
+  std::size_t stride = 12;
+  for (; stride > 1; stride = stride == 12 ? 6 : stride == 6 ? 3 : 1) {
+    std::size_t astray = 0;
+    for (std::size_t i = 0; i < passage.forwards.size(); ++i)
+      astray += cutCorners(passage.forwards[i], stride) > 0.25 * earlier.clouds[i].widthMeters;
+    if (20 * astray <= passage.forwards.size()) break;
+  }
+  stride = std::min<std::size_t>(stride, 6);
+  for (auto* ways : {&passage.forwards, &passage.backwards})
+    for (auto& way : *ways) way = thinned(way, stride);
+  passage.intervals = static_cast<int>(kFine / stride);
+  return passage;
+}
+
+std::vector<scene::Moment> going(const Passage& passage, const CloudsOfTime& earlier, const CloudsOfTime& later,
+                                 std::uint32_t cloud) {
+  const motion::CarriedCloud& own = earlier.clouds[cloud];
+  const motion::Fate& fate = passage.tracking.earlier[cloud];
+  std::vector<scene::Moment> moments;
+  for (int i = 0; i <= passage.intervals; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const double share = static_cast<double>(i) / passage.intervals;
+    glm::dvec2 place = passage.forwards[cloud][at];
+    double base = own.baseMeters;
+    scene::Moment moment = formed(1 - share);
+    if (fate.partner) {
+      const motion::CarriedCloud& partner = later.clouds[*fate.partner];
+      place = placeOfPair(passage.forwards[cloud], passage.backwards[*fate.partner], at);
+      base += share * (partner.baseMeters - own.baseMeters);
+      if (!fate.aside)
+        moment = {glm::vec3(0), static_cast<float>(1 + share * (partner.widthMeters / own.widthMeters - 1)),
+                  static_cast<float>(1 - share)};
+    }
+    moment.shift = shiftOf(place, own, base);
+    moments.push_back(moment);
+  }
+  return moments;
+}
+
+std::vector<scene::Moment> coming(const Passage& passage, const CloudsOfTime& earlier, const CloudsOfTime& later,
+                                  std::uint32_t cloud) {
+  const motion::CarriedCloud& own = later.clouds[cloud];
+  const motion::Fate& fate = passage.tracking.later[cloud];
+  std::vector<scene::Moment> moments;
+  for (int i = 0; i <= passage.intervals; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const double share = static_cast<double>(i) / passage.intervals;
+    glm::dvec2 place = passage.backwards[cloud][at];
+    double base = own.baseMeters;
+    scene::Moment moment = formed(share);
+    if (fate.partner) {
+      const motion::CarriedCloud& partner = earlier.clouds[*fate.partner];
+      place = placeOfPair(passage.forwards[*fate.partner], passage.backwards[cloud], at);
+      base += (1 - share) * (partner.baseMeters - own.baseMeters);
+      if (!fate.aside)
+        moment = {glm::vec3(0), static_cast<float>(1 + (1 - share) * (partner.widthMeters / own.widthMeters - 1)),
+                  static_cast<float>(share)};
+    }
+    moment.shift = shiftOf(place, own, base);
+    moments.push_back(moment);
+  }
+  return moments;
+}
+
+}  // namespace cloudgen::pipeline

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <span>
+#include <vector>
+
+#include "field/cloud_table.hpp"
+#include "field/grid.hpp"
+#include "motion/tracking.hpp"
+#include "motion/wind_field.hpp"
+#include "scene/scene.hpp"
+
+namespace cloudgen::pipeline {
+
+/// The clouds of one time as their motion sees them; parallel to the instances of its scene.
+struct CloudsOfTime {
+  std::vector<motion::CarriedCloud> clouds;  ///< where they stand, not carried yet
+  motion::WindField wind;
+};
+
+/// From the layers and clouds of a time. The wind is that of its layers.
+CloudsOfTime cloudsOfTime(const field::Grid& grid, const base::LocalFrame& frame, const field::CloudTable& table);
+
+/// The ways of the clouds of two times between them.
+struct Passage {
+  double seconds = 0;
+  int intervals = 0;  ///< the ways have one place more
+  motion::Tracking tracking;
+  std::vector<std::vector<glm::dvec2>> forwards, backwards;  ///< of each earlier cloud; of each later one, in time's order
+};
+
+/// Carries, matches, and cuts the time into as many intervals as straight lines need to follow the wind, at most 24.
+Passage passageOf(const CloudsOfTime& earlier, const CloudsOfTime& later, double seconds);
+
+/// The moments of an earlier cloud as it goes, from its own time to the next, and of a later one as it comes.
+std::vector<scene::Moment> going(const Passage& passage, const CloudsOfTime& earlier, const CloudsOfTime& later,
+                                 std::uint32_t cloud);
+std::vector<scene::Moment> coming(const Passage& passage, const CloudsOfTime& earlier, const CloudsOfTime& later,
+                                  std::uint32_t cloud);
+
+}  // namespace cloudgen::pipeline
