@@ -50,6 +50,11 @@ class Verify : public ::testing::Test {
     edit(bytes);
     std::ofstream(scene + "/" + name, std::ios::binary) << bytes;
   }
+  /// The scene and the tiles that it inlines.
+  void changeX3d(const std::function<void(std::string&)>& edit) const {
+    for (const auto& entry : std::filesystem::directory_iterator(scene))
+      if (entry.path().extension() == ".x3d") change(entry.path().filename().string(), edit);
+  }
   static bool breaks(const json& result, const std::string& measure) {
     for (const json& broken : result.at("broken"))
       if (broken.at("measure") == measure) return true;
@@ -144,7 +149,7 @@ TEST_F(Verify, LooksAslantAndFromTheGround) {
 }
 
 TEST_F(Verify, TellsSwappedTypes) {
-  change("scene.x3d", [](std::string& text) {
+  changeX3d([](std::string& text) {
     replaceAll(text, "textures/stratocumulus.png", "textures/swapped");
     replaceAll(text, "textures/cirrostratus.png", "textures/stratocumulus.png");
     replaceAll(text, "textures/swapped", "textures/cirrostratus.png");
@@ -155,7 +160,7 @@ TEST_F(Verify, TellsSwappedTypes) {
 }
 
 TEST_F(Verify, TellsAFalseRecord) {
-  change("scene.x3d", [](std::string& text) { replaceAll(text, "\"Sc\"", "\"Cu\""); });
+  changeX3d([](std::string& text) { replaceAll(text, "\"Sc\"", "\"Cu\""); });
   const json result = verified("x3d");
   EXPECT_LT(result.at("genus").at("agreement").get<double>(), 1);
   EXPECT_TRUE(breaks(result, "genus.agreement"));
