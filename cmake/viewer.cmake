@@ -14,7 +14,6 @@ set(viewer_build "${CMAKE_BINARY_DIR}/viewer/build")
 set(viewer_page "${CMAKE_BINARY_DIR}/viewer/viewer.html")
 set(viewer_schema "${PROJECT_SOURCE_DIR}/schemas/runtime_pack.fbs")
 file(GLOB_RECURSE viewer_sources CONFIGURE_DEPENDS "${viewer_source}/src/*.ts" "${viewer_source}/src/*.css" "${viewer_source}/test/*.ts" "${viewer_source}/*.mjs")
-list(FILTER viewer_sources EXCLUDE REGEX "/src/schema/")
 
 # Packages are installed in the build folder, so that the source tree stays as it was.
 add_custom_command(
@@ -32,7 +31,7 @@ add_custom_command(
   COMMAND ${CMAKE_COMMAND} -E copy "${viewer_source}/bundle.mjs" "${viewer_source}/coast.mjs" "${viewer_source}/test.mjs" "${viewer_source}/viewer.html" "${viewer_build}"
   COMMAND ${CMAKE_COMMAND} -E copy_directory "${viewer_source}/src" "${viewer_build}/src"
   COMMAND ${CMAKE_COMMAND} -E copy_directory "${viewer_source}/test" "${viewer_build}/test"
-  COMMAND "${FLATC}" --ts -o "${viewer_build}/src/schema" "${viewer_schema}"
+  COMMAND "${FLATC}" --ts -o "${viewer_build}/dist/schema" "${viewer_schema}"
   COMMAND "${NODE}" "${viewer_build}/bundle.mjs" "${viewer_page}"
   DEPENDS "${viewer_build}/installed" ${viewer_sources} "${viewer_schema}" "${viewer_source}/viewer.html"
   COMMENT "Bundling the web page"

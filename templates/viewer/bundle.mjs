@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bundles the page into one file: node bundle.mjs OUTPUT.html. src/schema must hold what flatc makes of schemas/runtime_pack.fbs.
+// Bundles the page into one file: node bundle.mjs OUTPUT.html. dist/schema must hold what flatc makes of schemas/runtime_pack.fbs.
 import {build} from 'esbuild';
 import {mkdir, readFile, writeFile} from 'node:fs/promises';
 import {createRequire} from 'node:module';

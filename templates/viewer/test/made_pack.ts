@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // A pack of one shape with three levels of detail, made by hand.
 import {Builder} from 'flatbuffers';
-import {Archetype} from '../src/schema/cloudgen/pack/archetype';
-import {Atlas} from '../src/schema/cloudgen/pack/atlas';
-import {Daylight} from '../src/schema/cloudgen/pack/daylight';
-import {Instance} from '../src/schema/cloudgen/pack/instance';
-import {Keyframe} from '../src/schema/cloudgen/pack/keyframe';
-import {Level} from '../src/schema/cloudgen/pack/level';
-import {Motion} from '../src/schema/cloudgen/pack/motion';
-import {Puff} from '../src/schema/cloudgen/pack/puff';
-import {Record} from '../src/schema/cloudgen/pack/record';
-import {Response} from '../src/schema/cloudgen/pack/response';
-import {RuntimePack} from '../src/schema/cloudgen/pack/runtime-pack';
-import {Sun} from '../src/schema/cloudgen/pack/sun';
-import {Tile} from '../src/schema/cloudgen/pack/tile';
-import {Tone} from '../src/schema/cloudgen/pack/tone';
-import {Vec3} from '../src/schema/cloudgen/pack/vec3';
+import {Archetype} from '../dist/schema/cloudgen/pack/archetype';
+import {Atlas} from '../dist/schema/cloudgen/pack/atlas';
+import {Daylight} from '../dist/schema/cloudgen/pack/daylight';
+import {Instance} from '../dist/schema/cloudgen/pack/instance';
+import {Keyframe} from '../dist/schema/cloudgen/pack/keyframe';
+import {Level} from '../dist/schema/cloudgen/pack/level';
+import {Motion} from '../dist/schema/cloudgen/pack/motion';
+import {Puff} from '../dist/schema/cloudgen/pack/puff';
+import {Record} from '../dist/schema/cloudgen/pack/record';
+import {Response} from '../dist/schema/cloudgen/pack/response';
+import {RuntimePack} from '../dist/schema/cloudgen/pack/runtime-pack';
+import {Sun} from '../dist/schema/cloudgen/pack/sun';
+import {Tile} from '../dist/schema/cloudgen/pack/tile';
+import {Tone} from '../dist/schema/cloudgen/pack/tone';
+import {Vec3} from '../dist/schema/cloudgen/pack/vec3';
 
 export interface Cloud {
   x: number;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import {clamp, mixed, type Vec3} from '../math';
-import type {RuntimePack} from '../schema/cloudgen/pack/runtime-pack';
-import type {Vec3 as PackVec3} from '../schema/cloudgen/pack/vec3';
+import type {RuntimePack} from '../../dist/schema/cloudgen/pack/runtime-pack';
+import type {Vec3 as PackVec3} from '../../dist/schema/cloudgen/pack/vec3';
 
 /** Where the sun stands. Azimuth clockwise from north. */
 export interface SunPlace {

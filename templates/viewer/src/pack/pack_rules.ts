@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What must hold in a pack before anything in it is used: the rules of src/runtime/pack_rules.cpp.
 import type {ByteBuffer} from 'flatbuffers';
-import {RuntimePack} from '../schema/cloudgen/pack/runtime-pack';
-import type {Vec3} from '../schema/cloudgen/pack/vec3';
+import {RuntimePack} from '../../dist/schema/cloudgen/pack/runtime-pack';
+import type {Vec3} from '../../dist/schema/cloudgen/pack/vec3';
 
 /** The newest version of the format that is read. */
 const PACK_VERSION = 1;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import {ByteBuffer} from 'flatbuffers';
-import {RuntimePack} from '../schema/cloudgen/pack/runtime-pack';
+import {RuntimePack} from '../../dist/schema/cloudgen/pack/runtime-pack';
 import {requireSound} from './pack_rules';
 
 export const YAW_STEPS = 16;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import {clamp} from '../math';
-import type {Keyframe} from '../schema/cloudgen/pack/keyframe';
+import type {Keyframe} from '../../dist/schema/cloudgen/pack/keyframe';
 import {Clouds, type PackView} from './pack_view';
 
 /** The clouds of a pack at a time between its keyframes, as src/runtime/timeline.cpp has them. */
