@@ -149,6 +149,14 @@ struct Place {
   }
 };
 
+/// Where the outside lies for what is seen of a puff. A heap's top faces the sun with one side and not with the other;
+/// a layer as a whole is level, and of it whatever looks up a little is a level top.
+float upwardOf(float upward, float layer) {
+  const float from = glm::mix(kLevelFrom, -0.1f, layer), to = glm::mix(1.0f, 0.4f, layer);
+  const float share = std::clamp((upward - from) / (to - from), 0.0f, 1.0f);
+  return share > 0 ? std::max(upward, glm::mix(kLevelFrom, 1.0f, share)) : upward;
+}
+
 std::vector<Place> placesOf(std::span<const shape::Puff> puffs, Medium& medium, float reduction,
                             std::vector<PuffTransfer>& transfers) {
   const auto& directions = lattice().directions;
@@ -185,14 +193,6 @@ float about(const std::vector<float>& shares, const std::vector<float>& values) 
   float sum = 0;
   for (std::size_t i = 0; i < values.size(); ++i) sum += shares[i] * values[i];
   return sum;
-}
-
-/// Where the outside lies for what is seen of a puff. A heap's top faces the sun with one side and not with the other;
-/// a layer as a whole is level, and of it whatever looks up a little is a level top.
-float upwardOf(float upward, float layer) {
-  const float from = glm::mix(kLevelFrom, -0.1f, layer), to = glm::mix(1.0f, 0.4f, layer);
-  const float share = std::clamp((upward - from) / (to - from), 0.0f, 1.0f);
-  return share > 0 ? std::max(upward, glm::mix(kLevelFrom, 1.0f, share)) : upward;
 }
 
 /// What is let through towards a puff and on from it, by all orders, along the light of one sun.

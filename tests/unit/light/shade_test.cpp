@@ -185,7 +185,6 @@ TEST_P(EveryGenusLit, TopsAreBrightUnderAnySunOfTheDay) {
     const auto lights = shadePuffs(cloud, transfer, lightingOf(160, elevation), shadingOf(GetParam()));
     const double lit = seenFromAbove(cloud, lights, sweep, 0.5), whole = seenFromAbove(cloud, lights, sweep, 1);
     RecordProperty("lit", std::to_string(lit));
-    std::printf("%s %g lit %.3f whole %.3f\n", std::string(base::name(GetParam())).c_str(), elevation, lit, whole);
     EXPECT_GT(lit, 0.65) << elevation;
     EXPECT_GT(whole, 0.45) << elevation;
   }
