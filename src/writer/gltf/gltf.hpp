@@ -6,7 +6,7 @@
 namespace cloudgen::writer {
 
 /// Writes scene.splats.glb: every puff of every cloud as a Gaussian splat (KHR_gaussian_splatting, ratified
-/// text), lit by spherical harmonics of degree 0 and 1. One point primitive a tile (at most 16 tiles, at most
+/// text), lit by spherical harmonics up to the degree of SplatOptions, made and written piece by piece. One point primitive a tile (at most 16 tiles, at most
 /// 200,000 splats each) under a node at the tile's centre; splats in Morton order; those below an opacity of
 /// 0.004 are left out. Throws OutputError if the file cannot be written or would pass glTF's 4 GiB.
 void writeSplats(const scene::Scene& scene, const Destination& destination);
