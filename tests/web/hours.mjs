@@ -46,13 +46,7 @@ function pagePicture(folder, view) {
       return place;
     }, view);
     await page.addStyleTag({content: '* {visibility: hidden} canvas {visibility: visible !important}'});
-    let last = -1;
-    const still = async () => {
-      const [before, now] = [last, await page.evaluate(() => window.cloudgen.frames)];
-      last = now;
-      await page.waitForTimeout(700);
-      return before === now;
-    };
+    const still = () => page.evaluate(() => window.cloudgen.isAtRest);
     await until(still, SECONDS, 'the page still draws');
     return {place, png: await page.screenshot()};
   });

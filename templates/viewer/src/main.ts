@@ -22,7 +22,8 @@ async function main(): Promise<void> {
   const [pack, sky] = [PackView.open(bytes), await SkyClient.open(bytes)];
   const viewer = await Viewer.create(data, new Frame(data), pack, sky);
   const readout = new Readout(viewer);
-  viewer.onFrame = () => readout.update();
+  viewer.onFrame = () => readout.update(true);
+  viewer.onRest = () => readout.update(false);
   connectControls(viewer);
   connectSky(viewer, data);
   connectLayers(viewer);

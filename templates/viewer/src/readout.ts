@@ -38,10 +38,14 @@ export class Readout {
     });
   }
 
-  /** Everything that depends on the camera; texts not in every frame, as they cost more than the eye can read. */
-  update(): void {
-    const {camera} = this.viewer;
-    this.placeLabels(camera);
+  /**
+   * Everything that depends on the camera. Texts follow a little later, as they cost more than the eye can read; labels on the ground
+   * wait for the view to rest where it is drawn coarsely, as a layer over the whole picture costs a fifth of a frame there.
+   */
+  update(moving: boolean): void {
+    const labels = element('labels');
+    labels.hidden = moving && this.viewer.drawing.canvas < 1;
+    if (!labels.hidden) this.placeLabels(this.viewer.camera);
     if (this.due) return;
     this.due = window.setTimeout(() => this.updateTexts(), TEXT_MILLISECONDS);
   }

@@ -55,7 +55,9 @@ export class Viewer {
   /** Frames drawn since the start: constant while nothing changes. */
   frames = 0;
   onChange: () => void = () => {};
+  /** A frame of a view that moves was drawn; the picture is complete. */
   onFrame: () => void = () => {};
+  onRest: () => void = () => {};
   onPick: (cloud: number | null) => void = () => {};
   readonly extent: CloudExtent;
   readonly lines: GroundLines;
@@ -322,6 +324,7 @@ export class Viewer {
     this.fitCanvas(1);
     this.renderer.showFine(this.camera, this.near(), this.exaggeration);
     this.fine = 'shown';
+    this.onRest();
   }
 
   /** Draws the clouds once more in all detail. */
