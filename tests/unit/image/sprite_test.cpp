@@ -125,7 +125,8 @@ TEST(Sprites, LightMapsBelongToTheSprite) {
 }
 
 TEST(Sprites, TextureBoxesLieInsideTheirTiles) {
-  const SpriteAtlas atlas{base::Genus::Cumulus, "a.png", 4, 2, 64};
+  const SpriteAtlas atlas{
+      .genus = base::Genus::Cumulus, .file = "a.png", .columns = 4, .rows = 2, .tilePixels = 64};
   for (int tile = 0; tile < atlas.tiles(); ++tile) {
     const glm::vec4 box = atlas.textureBox(tile);
     const float left = static_cast<float>(tile % 4) / 4, top = 1 - static_cast<float>(tile / 4) / 2;
@@ -140,11 +141,14 @@ TEST(Sprites, ABrokenManifestIsRefused) {
   const test::Scratch folder;
   EXPECT_THROW(readSpriteManifest(folder.path()), base::InputError);
   for (const char* text : {"", "[]", "{\"atlases\": []}",
-                           "{\"atlases\": [{\"genus\": \"Xy\", \"file\": \"a.png\", \"sixway_a\": \"b.png\", \"sixway_b\": \"c.png\", \"columns\": 1, "
+                           "{\"atlases\": [{\"genus\": \"Xy\", \"file\": \"a.png\", \"sixway_a\": \"b.png\", "
+                           "\"sixway_b\": \"c.png\", \"columns\": 1, "
                            "\"rows\": 1, \"tile_pixels\": 8}]}",
-                           "{\"atlases\": [{\"genus\": \"Cu\", \"file\": \"../a.png\", \"sixway_a\": \"b.png\", \"sixway_b\": \"c.png\", \"columns\": 1, "
+                           "{\"atlases\": [{\"genus\": \"Cu\", \"file\": \"../a.png\", \"sixway_a\": "
+                           "\"b.png\", \"sixway_b\": \"c.png\", \"columns\": 1, "
                            "\"rows\": 1, \"tile_pixels\": 8}]}",
-                           "{\"atlases\": [{\"genus\": \"Cu\", \"file\": \"a.png\", \"sixway_a\": \"b.png\", \"sixway_b\": \"c.png\", \"columns\": 0, "
+                           "{\"atlases\": [{\"genus\": \"Cu\", \"file\": \"a.png\", \"sixway_a\": \"b.png\", "
+                           "\"sixway_b\": \"c.png\", \"columns\": 0, "
                            "\"rows\": 1, \"tile_pixels\": 8}]}"}) {
     folder.write("manifest.json", text);
     EXPECT_THROW(readSpriteManifest(folder.path()), base::InputError) << text;
