@@ -116,7 +116,8 @@ TEST(Sprites, LightMapsBelongToTheSprite) {
 }
 
 TEST(Sprites, TextureBoxesLieInsideTheirTiles) {
-  const SpriteAtlas atlas{base::Genus::Cumulus, "a.png", 4, 2, 64};
+  const SpriteAtlas atlas{
+      .genus = base::Genus::Cumulus, .file = "a.png", .columns = 4, .rows = 2, .tilePixels = 64};
   for (int tile = 0; tile < atlas.tiles(); ++tile) {
     const glm::vec4 box = atlas.textureBox(tile);
     const float left = static_cast<float>(tile % 4) / 4, top = 1 - static_cast<float>(tile / 4) / 2;
