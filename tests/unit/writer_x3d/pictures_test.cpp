@@ -11,7 +11,8 @@
 namespace cloudgen::writer {
 namespace {
 
-const image::SpriteAtlas kAtlas{base::Genus::Cumulus, "cumulus.png", 4, 4, 32};
+const image::SpriteAtlas kAtlas{
+    .genus = base::Genus::Cumulus, .file = "cumulus.png", .columns = 4, .rows = 4, .tilePixels = 32};
 
 /// Soft discs, 4 by 4.
 SpriteSheet softDiscs() {

@@ -14,7 +14,8 @@
 namespace cloudgen::writer {
 namespace {
 
-const image::SpriteAtlas kAtlas{base::Genus::Cumulus, "cumulus.png", 4, 4, 128};
+const image::SpriteAtlas kAtlas{
+    .genus = base::Genus::Cumulus, .file = "cumulus.png", .columns = 4, .rows = 4, .tilePixels = 128};
 
 LitPuff puffAt(const glm::vec3& center, const glm::vec3& sigma, float opticalDepth = 1) {
   LitPuff lit;
