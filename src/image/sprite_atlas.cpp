@@ -33,8 +33,8 @@ std::vector<SpriteAtlas> readSpriteManifest(const std::filesystem::path& texture
       if (!genus) fail("names an unknown genus");
       atlas.genus = *genus;
       atlas.file = entry.at("file");
-      atlas.sixwayA = entry.at("sixway_a");
-      atlas.sixwayB = entry.at("sixway_b");
+      atlas.sixwayA = entry.value("sixway_a", "");
+      atlas.sixwayB = entry.value("sixway_b", "");
       atlas.columns = entry.at("columns");
       atlas.rows = entry.at("rows");
       atlas.tilePixels = entry.at("tile_pixels");

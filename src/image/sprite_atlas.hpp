@@ -14,7 +14,7 @@ namespace cloudgen::image {
 struct SpriteAtlas {
   base::Genus genus{};
   std::string file;              ///< within the textures folder
-  std::string sixwayA, sixwayB;  ///< its light maps (SpriteMaps), there, at half its resolution
+  std::string sixwayA, sixwayB;  ///< its light maps (SpriteMaps), there, at half its resolution; empty: none
   int columns = 1, rows = 1, tilePixels = 0;
 
   int tiles() const { return columns * rows; }

@@ -2,6 +2,7 @@
 #include "writer/pack/pictures.hpp"
 
 #include "base/data_dir.hpp"
+#include "base/error.hpp"
 #include "base/file.hpp"
 #include "image/sprite_atlas.hpp"
 #include "writer/copy_textures.hpp"
@@ -14,6 +15,9 @@ std::vector<Pictures> picturesOf(const scene::Scene& scene) {
   std::vector<Pictures> pictures;
   for (const base::Genus genus : generaOf(scene)) {
     const image::SpriteAtlas& atlas = image::atlasOf(atlases, genus);
+    if (atlas.sixwayA.empty() || atlas.sixwayB.empty())
+      throw base::InputError((folder / "manifest.json").string(), fmt::format("names no light maps of {}", atlas.file),
+                             "make the set again with: cloudgen textures -o textures");
     pictures.push_back({genus, atlas.columns, atlas.rows, base::readFile(folder / atlas.file),
                         base::readFile(folder / atlas.sixwayA), base::readFile(folder / atlas.sixwayB)});
   }
