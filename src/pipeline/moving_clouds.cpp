@@ -14,11 +14,15 @@ namespace {
 /// The least size of a cloud that comes or goes; what is left is not there.
 constexpr float kLeastGrowth = 0.02f;
 
-/// A cloud that forms (share from 0 to 1): area and optical depth grow such that its water grows evenly, the area the
-/// more, as the cover follows it.
+/// A cloud that forms (share from 0 to 1): its area grows evenly, and so do cover and water; nothing is there at first.
 scene::Moment formed(double share) {
-  return {glm::vec3(0), std::max(kLeastGrowth, static_cast<float>(std::pow(share, 0.4))),
-          static_cast<float>(std::pow(share, 0.2))};
+  return {glm::vec3(0), std::max(kLeastGrowth, static_cast<float>(std::sqrt(share))), share > 0 ? 1.0f : 0.0f};
+}
+
+/// Of a width on the way to another, over its own: the area goes evenly.
+float grown(float width, float towards, double share) {
+  const double ratio = towards / width;
+  return static_cast<float>(std::sqrt(1 + share * (ratio * ratio - 1)));
 }
 
 double eased(double share) { return share * share * (3 - 2 * share); }
@@ -129,7 +133,7 @@ std::vector<scene::Moment> going(const Passage& passage, const CloudsOfTime& ear
       place = placeOfPair(passage.forwards[cloud], passage.backwards[*fate.partner], at);
       base += share * (partner.baseMeters - own.baseMeters);
       if (!fate.aside)
-        moment = {glm::vec3(0), static_cast<float>(1 + share * (partner.widthMeters / own.widthMeters - 1)),
+        moment = {glm::vec3(0), grown(own.widthMeters, partner.widthMeters, share),
                   static_cast<float>(1 - share)};
     }
     moment.shift = shiftOf(place, own, base);
@@ -154,7 +158,7 @@ std::vector<scene::Moment> coming(const Passage& passage, const CloudsOfTime& ea
       place = placeOfPair(passage.forwards[*fate.partner], passage.backwards[cloud], at);
       base += (1 - share) * (partner.baseMeters - own.baseMeters);
       if (!fate.aside)
-        moment = {glm::vec3(0), static_cast<float>(1 + (1 - share) * (partner.widthMeters / own.widthMeters - 1)),
+        moment = {glm::vec3(0), grown(own.widthMeters, partner.widthMeters, 1 - share),
                   static_cast<float>(share)};
     }
     moment.shift = shiftOf(place, own, base);
