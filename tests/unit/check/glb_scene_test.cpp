@@ -71,6 +71,15 @@ TEST(GlbScene, EveryInstanceShowsTheCardsOfItsMesh) {
   EXPECT_NEAR(seen[1].halfSides().y, 44, 1e-2);
 }
 
+TEST(GlbScene, AScaledNodeScalesItsInstances) {
+  CardScene made;
+  made.document["nodes"][1]["scale"] = {2, 2, 2};
+  const auto seen = made.seen();
+  ASSERT_EQ(seen.size(), 2u);
+  EXPECT_NEAR(seen[0].halfSides().x, 44, 1e-3);
+  EXPECT_FLOAT_EQ(seen[1].place.x, 1200);
+}
+
 TEST(GlbScene, InstancesAreCloudsWithTheirGenus) {
   CardScene made;
   WrittenScene scene = made.read();
@@ -105,7 +114,7 @@ TEST(GlbScene, RefusesWhatItCannotRead) {
   refused([](CardScene& made) { made.triangles[3] = 6; });
   refused([](CardScene& made) { made.places.resize(10); });
   refused([](CardScene& made) { made.turns.resize(4); });
-  refused([](CardScene& made) { made.document["nodes"][1]["scale"] = {2, 2, 2}; });
+  refused([](CardScene& made) { made.document["nodes"][1]["matrix"] = json::array({2}); });
   refused([](CardScene& made) { made.document["meshes"][0]["primitives"][0]["material"] = 5; });
   const std::string whole = CardScene().bytes();
   for (std::size_t length = 0; length < whole.size(); length += 31)
