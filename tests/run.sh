@@ -38,7 +38,7 @@ cmake --build --preset dev || { fail 1 "cmake --build --preset dev"; finish; }
 cloudgen=build/dev/src/cli/cloudgen
 
 say "Unit tests, rules of the house, command line, fuzzers' seeds"
-ctest --preset dev -j "$(nproc)" --timeout 600 2>&1 | tee build/ctest.log
+ctest --preset dev -j "$(nproc)" --timeout 1500 2>&1 | tee build/ctest.log
 counts=$(grep -oE '[0-9]+ tests failed out of [0-9]+' build/ctest.log | tail -1)
 if [ -n "$counts" ]; then
   read -r broken _ _ _ _ all <<<"$counts"

@@ -13,7 +13,7 @@ export interface Camera {
   heightPixels: number;
 }
 
-export const FAR_METERS = 2_000_000;
+export const FAR_METERS = 20_000_000;
 
 /** Pixels that a metre across spans at a metre's distance. */
 export function focalPixels(camera: Camera): number {

@@ -401,8 +401,9 @@ export class Backdrop {
       .set('u_exaggeration', exaggeration)
       .set('u_horizon', ...this.horizon)
       .set('u_screen', this.gl.drawingBufferWidth, this.gl.drawingBufferHeight)
-      .texture('u_clouds', 0, clouds.color!);
-    if (clouds.depth) program.set('u_near', near).texture('u_cloudDepth', 4, clouds.depth);
+      .texture('u_clouds', 0, clouds.color);
+    // A picture that is not there yet must not leave the last one bound: it may be the one that is drawn into.
+    if (this.terrain) program.set('u_near', near).texture('u_cloudDepth', 4, clouds.depth);
   }
 
   private where(program: Program, clip: Float32Array): void {

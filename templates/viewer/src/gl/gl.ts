@@ -46,7 +46,7 @@ export class Program {
     return this;
   }
 
-  texture(name: string, unit: number, texture: WebGLTexture, target: number = this.gl.TEXTURE_2D): this {
+  texture(name: string, unit: number, texture: WebGLTexture | null, target: number = this.gl.TEXTURE_2D): this {
     const {gl} = this;
     gl.activeTexture(gl.TEXTURE0 + unit);
     gl.bindTexture(target, texture);
