@@ -16,8 +16,6 @@
 namespace cloudgen::writer {
 namespace {
 
-/// How much further than it is drawn a tile is loaded: it is there when the viewer comes near.
-constexpr float kLoadAhead = 1.25f;
 /// A texel of a picture is two pixels of a screen of 720 lines and 45 degrees, from where it is seen first.
 constexpr float kRadiansPerTexel = 2.0f / 869;
 /// Texels of all pictures together, about: more tiles have coarser ones.

@@ -58,6 +58,33 @@ class Division {
   float leastSide_;
 };
 
+/// Clouds in full that a viewer at a place has loaded.
+std::size_t cloudsLoadedAt(const glm::vec3& place, const std::vector<TileNode>& tiles) {
+  std::size_t clouds = 0;
+  for (const TileNode& tile : tiles) {
+    const glm::vec3 away = glm::abs(place - tile.middle());
+    if (std::max({away.x, away.y, away.z}) > kLoadAhead * tile.range) continue;
+    clouds += tile.children.empty() ? tile.instances.size() : cloudsLoadedAt(place, tile.children);
+  }
+  return clouds;
+}
+
+void scaleRanges(std::vector<TileNode>& tiles, float by) {
+  for (TileNode& tile : tiles) {
+    tile.range *= by;
+    scaleRanges(tile.children, by);
+  }
+}
+
+/// Clouds that are drawn wider than natural reach far into their neighbours: tiles are then loaded from
+/// nearer by, so that no more of them stand in full about the focus than viewers draw.
+void keepLoadable(std::vector<TileNode>& tiles, const glm::vec3& focus) {
+  constexpr std::size_t kMostLoaded = 1200;
+  constexpr float kNearer = 0.8f;
+  for (int step = 0; step < 12 && cloudsLoadedAt(focus, tiles) > kMostLoaded; ++step)
+    scaleRanges(tiles, kNearer);
+}
+
 }  // namespace
 
 std::vector<TileNode> tileTrees(const scene::Scene& scene, const Stage& stage) {
@@ -72,6 +99,7 @@ std::vector<TileNode> tileTrees(const scene::Scene& scene, const Stage& stage) {
     trees.push_back(division.node(fmt::format("{}_{}", signedName(tile.column), signedName(tile.row)), corner,
                                   side, std::move(tile.instances), 0));
   }
+  keepLoadable(trees, stage.focus);
   return trees;
 }
 

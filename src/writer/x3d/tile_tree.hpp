@@ -6,6 +6,9 @@
 
 namespace cloudgen::writer {
 
+/// How much further than it is drawn a tile is loaded: it is there when the viewer comes near.
+inline constexpr float kLoadAhead = 1.25f;
+
 /// A square of the ground with the clouds that stand on it; one with many clouds has four squares within.
 struct TileNode {
   std::string name;                      ///< "2_0", and "2_0_3" of one within it
