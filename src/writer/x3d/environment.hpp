@@ -11,9 +11,8 @@ namespace cloudgen::writer {
 HeadEntries headOf(const scene::Scene& scene, const Stage& stage);
 
 /// All but the clouds: WorldInfo, NavigationInfo, Background, Viewpoints, sun, ground, lines of longitude and
-/// latitude. `flight` are places that another Viewpoint flies along, in the scene frame; none with fewer than
-/// two.
+/// latitude.
 void writeEnvironment(NodeWriter& nodes, const scene::Scene& scene, const Stage& stage,
-                      const HeadEntries& head, const std::vector<glm::vec3>& flight);
+                      const HeadEntries& head);
 
 }  // namespace cloudgen::writer

@@ -17,10 +17,7 @@ void writeScene(const scene::Scene& scene, const Destination& destination, Encod
   const HeadEntries head = headOf(scene, stage);
 
   nodes->start(head);
-  std::vector<glm::vec3> flight;
-  for (const glm::dvec3& place : destination.flight)
-    flight.emplace_back(scene.frame.toScene(place.x, place.y, place.z));
-  writeEnvironment(*nodes, scene, stage, head, flight);
+  writeEnvironment(*nodes, scene, stage, head);
   if (encoding == Encoding::Vrml97)
     writeTileGroups(*nodes, shapes, scene, stage, destination.progress);
   else
