@@ -57,7 +57,7 @@ async function checkScene(runner, folder, onlyPage) {
   const draws = (viewer, page, file, settle) =>
     has(file) && browser
       ? runner.run(`${scene}: ${viewer} draws ${file}`, 240, () =>
-          drawsByRemoval(at(page, `/scene/${file}`), picture(`${page}_${file}`), page === 'xite' && !file.endsWith('.glb') ? CLOUD_NODES : [], settle),
+          drawsByRemoval(at(page, `/scene/${file}`), picture(`${page}_${file}`), page === 'xite' ? CLOUD_NODES : [], settle),
         )
       : null;
   try {
@@ -76,7 +76,6 @@ async function checkScene(runner, folder, onlyPage) {
     await draws('Babylon.js', 'babylon', 'scene.splats.glb', 3000);
     await draws('three.js', 'three', 'scene.glb');
     await draws('Babylon.js', 'babylon', 'scene.glb');
-    await draws('X_ITE', 'xite', 'scene.glb', 3000);
     if (has('tileset.json') && browser) await checkTiles(runner, scene, folder, picture);
   } finally {
     server.close();

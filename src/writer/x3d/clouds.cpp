@@ -4,229 +4,355 @@
 #include <array>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <numbers>
 #include <numeric>
-#include <set>
 
 #include "base/text.hpp"
-#include "base/thread.hpp"
-#include "writer/x3d/cards.hpp"
-#include "writer/x3d/cloud_nodes.hpp"
-#include "writer/x3d/tile_views.hpp"
+#include "light/shade.hpp"
+#include "shape/heights.hpp"
+#include "writer/x3d/clusters.hpp"
 
 namespace cloudgen::writer {
 namespace {
 
-/// A texel of a picture is two pixels of a screen of 720 lines and 45 degrees, from where it is seen first.
-constexpr float kRadiansPerTexel = 2.0f / 869;
-/// Texels of all pictures together, about: more tiles have coarser ones.
-constexpr double kMostTexels = 16e6;
+constexpr std::size_t kMostClusters = 24;  ///< parts of a cloud seen from near
+constexpr float kNearSizes = 6;      ///< a cloud is drawn in full up to this many times its own size away
+constexpr double kLiveClouds = 120;  ///< clouds that are drawn one by one around the viewer, about
+constexpr double kFullClouds = 30;   ///< clouds that are drawn in full around the viewer, about
+constexpr std::size_t kFarPuffs = 24000;  ///< puffs in the far shapes of all tiles together, about
 
 /// view3dscene 4.2 refuses the field `level` of VRML97's LOD, and the standard any other name for it: VRML97
 /// has no LOD here but this many clouds in full, and up to this many with their far level.
 constexpr std::size_t kVrml97Full = 60, kVrml97Simple = 1000;
 
-void eachTile(const std::vector<TileNode>& tiles, const std::function<void(const TileNode&)>& visit) {
-  for (const TileNode& tile : tiles) {
-    visit(tile);
-    eachTile(tile.children, visit);
-  }
-}
-
-class Tiles {
+class CloudWalk {
  public:
-  Tiles(const scene::Scene& scene, const Stage& stage, const std::vector<image::SpriteAtlas>& atlases,
-        Encoding encoding)
-      : scene_(scene), atlases_(atlases), encoding_(encoding), trees_(tileTrees(scene, stage)) {
-    eachTile(trees_, [&](const TileNode& tile) { all_.push_back(&tile); });
-    chooseClocked(stage);
+  CloudWalk(NodeWriter& nodes, QuadShapes& shapes, const scene::Scene& scene, const Stage& stage)
+      : nodes_(nodes),
+        shapes_(shapes),
+        scene_(scene),
+        stage_(stage),
+        defined_(kShades * scene.lit.size()),
+        simpleDefined_(kShades * scene.lit.size()) {
+    chooseDetail();
   }
 
-  /// Draws the tiles as they are seen from afar, and the textures of that.
-  void draw(const std::filesystem::path& textures, const base::Progress& progress) {
-    const SpriteSheets sprites(scene_, atlases_, textures);
-    const float coarser = coarserThanSeen();
-    std::vector<TileViews> views(all_.size());
-    inBatches(progress, [&](std::size_t i) {
-      const TileNode& tile = *all_[i];
-      views[i] =
-          drawViews(scene_, tile, coarser * kRadiansPerTexel * tile.range, atlases_, sprites, textures);
-    });
-    for (std::size_t i = 0; i < all_.size(); ++i) views_[all_[i]] = std::move(views[i]);
+  void tile(const scene::Tile& tile) {
+    const std::string def = fmt::format("Tile_{}_{}", signedName(tile.column), signedName(tile.row));
+    if (vrml97()) {
+      nodes_.open("Group", "children", def);
+      clouds(tile);
+      nodes_.close();
+      return;
+    }
+    nodes_.open("LOD", "children", def);
+    nodes_.vector("center", 0.5f * (tile.lower + tile.upper), 1);
+    nodes_.numbers("range", std::array{tileRange()}, 1, 0);
+    nodes_.open("Group");
+    clouds(tile);
+    nodes_.close();
+    nodes_.open("Group");
+    cards(tile.instances, Range::Far);
+    nodes_.close();
+    nodes_.close();
   }
-
-  /// Writes the file that each tile shows when the viewer is near: its clouds, or the tiles within it.
-  void files(const std::filesystem::path& folder, const base::Progress& progress) const {
-    inBatches(progress, [&](std::size_t i) {
-      const TileNode& tile = *all_[i];
-      const auto nodes = nodeWriter(encoding_, folder / fileOf(tile));
-      QuadShapes shapes(*nodes, atlases_);
-      nodes->start(
-          {{"title", fmt::format("Tile {} of the clouds of {}", tile.name, base::isoText(scene_.validTime))},
-           {"creator", "cloudgen"},
-           {"generator", "cloudgen"}});
-      CloudNodes clouds(*nodes, shapes, scene_);
-      if (tile.children.empty())
-        for (const std::uint32_t instance : tile.instances) clouds.cloud(instance, true);
-      writeTiles(*nodes, shapes, tile.children);
-      nodes->finish();
-    });
-  }
-
-  void writeRoots(NodeWriter& nodes, QuadShapes& shapes) const { writeTiles(nodes, shapes, trees_); }
 
  private:
-  void inBatches(const base::Progress& progress, const std::function<void(std::size_t)>& body) const {
-    constexpr std::size_t kAtOnce = 16;
-    for (std::size_t start = 0; start < all_.size(); start += kAtOnce) {
-      progress.step("writing X3D", static_cast<double>(start) / static_cast<double>(all_.size()));
-      base::parallelFor(std::min(kAtOnce, all_.size() - start), [&](std::size_t i) { body(start + i); });
+  enum class Detail : unsigned char { Full, Simple, Cards };
+  enum class Range { Near, Far };
+
+  void clouds(const scene::Tile& tile) {
+    std::vector<std::uint32_t> others;
+    for (const std::uint32_t i : tile.instances) {
+      if (detail_[i] == Detail::Cards)
+        others.push_back(i);
+      else
+        cloud(i);
     }
+    cards(others, Range::Near);
   }
 
-  /// X3DOM has no ProximitySensor. Tiles about the places that the viewpoints look at are loaded there by a
-  /// clock.
-  void chooseClocked(const Stage& stage) {
-    std::vector<const TileNode*> leaves;
-    for (const TileNode* tile : all_)
-      if (tile->children.empty()) leaves.push_back(tile);
-    const auto distance = [&](const TileNode* tile) { return glm::distance(tile->middle(), stage.focus); };
-    std::stable_sort(leaves.begin(), leaves.end(), [&](auto a, auto b) { return distance(a) < distance(b); });
-    std::size_t clouds = 0;
-    for (const TileNode* leaf : leaves) {
-      clouds += leaf->instances.size();
-      if (clouds > kClockedClouds) break;
-      clocked_.insert(leaf);
-    }
-    // From the back, those within come before the tile.
-    for (auto tile = all_.rbegin(); tile != all_.rend(); ++tile)
-      for (const TileNode& child : (*tile)->children)
-        if (clocked_.contains(&child)) clocked_.insert(*tile);
+  /// XML names and VRML ids hold no minus sign in every viewer.
+  static std::string signedName(int value) {
+    return value < 0 ? "m" + std::to_string(-value) : std::to_string(value);
   }
 
-  /// How much coarser than is seen pictures must be to keep to kMostTexels.
-  float coarserThanSeen() const {
-    double texels = 0;
-    for (const TileNode* tile : all_)
-      for (const std::uint32_t i : tile->instances) {
-        const shape::Bounds box = scene::boundsOf(scene_, scene_.instances[i]);
-        const glm::vec3 size =
-            glm::min((box.upper - box.lower) / (kRadiansPerTexel * tile->range), glm::vec3(kMostPictureSide));
-        texels += kAzimuths * size.x * size.y + size.x * size.z;
+  const scene::Archetype& archetypeOf(const scene::Instance& instance) const {
+    return scene_.archetypes[scene_.lit[instance.lit].archetype];
+  }
+
+  bool vrml97() const { return nodes_.encoding() == Encoding::Vrml97; }
+
+  /// Which clouds become nodes of their own. In VRML97, which does without LOD, those nearest to where the
+  /// viewpoints look are drawn in full, more of them as their far level.
+  void chooseDetail() {
+    detail_.assign(scene_.instances.size(), Detail::Full);
+    std::vector<std::uint32_t> order(scene_.instances.size());
+    std::iota(order.begin(), order.end(), 0u);
+    if (!vrml97()) {
+      const auto width = [&](std::uint32_t i) {
+        return scene_.instances[i].scale * archetypeOf(scene_.instances[i]).widthMeters;
+      };
+      std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return width(a) > width(b); });
+      for (size_t i = kMostCloudNodes; i < order.size(); ++i) detail_[order[i]] = Detail::Cards;
+      return;
+    }
+    const auto distance = [&](std::uint32_t i) {
+      return glm::distance(scene_.instances[i].position, stage_.focus);
+    };
+    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return distance(a) < distance(b); });
+    for (size_t i = kVrml97Full; i < order.size(); ++i)
+      detail_[order[i]] = i < kVrml97Simple ? Detail::Simple : Detail::Cards;
+  }
+
+  /// Distance within which about so many clouds stand, were they spread evenly.
+  float reachOf(double clouds) const {
+    const double count = static_cast<double>(std::clamp<size_t>(scene_.instances.size(), 1, kMostCloudNodes));
+    const double area =
+        static_cast<double>(stage_.upper.x - stage_.lower.x) * (stage_.upper.z - stage_.lower.z);
+    return static_cast<float>(std::sqrt(clouds * area / (std::numbers::pi * count)));
+  }
+
+  /// A viewer in the middle of a tile always sees its clouds.
+  float tileRange() const {
+    const float side = tileSide(stage_);
+    return std::clamp(reachOf(kLiveClouds) + 0.5f * side, 0.9f * side, std::max(4 * stage_.extent, side));
+  }
+
+  /// In full from near, but not so far that more than about kFullClouds are; in metres of the archetype.
+  float cloudRange(float size) const {
+    return std::clamp(reachOf(kFullClouds), 2.5f * size, kNearSizes * size);
+  }
+
+  void cloud(std::uint32_t i) {
+    const scene::Instance& instance = scene_.instances[i];
+    nodes_.open("Transform");
+    nodes_.vector("scale", glm::vec3(instance.scale), 4);
+    nodes_.vector("translation", instance.position, 1);
+    if (i < scene_.clouds.size()) record(scene_.clouds[i]);
+    if (vrml97())
+      fixedLevel(shadedOf(instance), detail_[i]);
+    else
+      levels(shadedOf(instance));
+    nodes_.close();
+  }
+
+  void record(const scene::CloudRecord& cloud) {
+    const std::string genus(base::abbreviation(cloud.genus)), id = std::to_string(cloud.id);
+    const std::array<float, 3> measures{cloud.baseMeters, cloud.topMeters, cloud.opticalDepth};
+    if (nodes_.encoding() == Encoding::Vrml97) {
+      std::string numbers = "base_m ";
+      base::appendFixed(numbers, measures[0], 0);
+      numbers += " top_m ";
+      base::appendFixed(numbers, measures[1], 0);
+      numbers += " optical_depth ";
+      base::appendFixed(numbers, measures[2], 2);
+      nodes_.open("WorldInfo");
+      nodes_.strings("info", std::vector<std::string>{"id " + id, "genus " + genus, "rule " + cloud.rule,
+                                                      "cell " + std::to_string(cloud.cell), numbers});
+      nodes_.string("title", "cloud");
+      nodes_.close();
+      return;
+    }
+    nodes_.open("MetadataSet", "metadata");
+    nodes_.string("name", "cloud");
+    nodes_.open("MetadataString", "value");
+    nodes_.string("name", "id genus rule");
+    nodes_.strings("value", std::vector<std::string>{id, genus, cloud.rule});
+    nodes_.close();
+    nodes_.open("MetadataInteger", "value");
+    nodes_.string("name", "cell");
+    nodes_.integers("value", std::array{static_cast<std::int32_t>(cloud.cell)});
+    nodes_.close();
+    nodes_.open("MetadataFloat", "value");
+    nodes_.string("name", "base_m top_m optical_depth");
+    nodes_.numbers("value", measures, 1, 2);
+    nodes_.close();
+    nodes_.close();
+  }
+
+  /// A lit archetype in one of a few steps of shadow from other clouds, which clouds share by DEF and USE.
+  struct Shaded {
+    std::uint32_t lit;
+    int shade;  ///< 0 in full sun .. kShades - 1 in none
+    std::size_t index() const { return kShades * lit + static_cast<std::size_t>(shade); }
+  };
+  static constexpr std::size_t kShades = 4;
+
+  static Shaded shadedOf(const scene::Instance& instance) {
+    return {instance.lit, static_cast<int>(std::lround((1 - instance.sunlight) * (kShades - 1)))};
+  }
+
+  /// The puffs of a shaded archetype, turned by its yaw.
+  std::vector<LitPuff> turned(const Shaded& shaded, std::span<const shape::Puff> puffs,
+                              std::span<const light::PuffLight> lights) const {
+    const glm::quat turn =
+        glm::angleAxis(scene::yawRadians(scene_.lit[shaded.lit].yawStep), glm::vec3(0, 1, 0));
+    const glm::vec3 dimming =
+        light::dimming(1 - static_cast<float>(shaded.shade) / (kShades - 1), scene_.sun.color, scene_.sky);
+    std::vector<LitPuff> out;
+    for (size_t i = 0; i < puffs.size(); ++i) {
+      LitPuff one{puffs[i], dimming * (i < lights.size() ? lights[i].color : glm::vec3(1))};
+      one.puff.center = turn * one.puff.center;
+      one.puff.rotation = turn * one.puff.rotation;
+      out.push_back(one);
+    }
+    return out;
+  }
+
+  std::string nameOf(const Shaded& shaded) const {
+    const scene::LitArchetype& lit = scene_.lit[shaded.lit];
+    return fmt::format("{}_yaw{}{}", scene_.archetypes[lit.archetype].name, lit.yawStep,
+                       shaded.shade > 0 ? fmt::format("_shade{}", shaded.shade) : "");
+  }
+
+  void levels(const Shaded& shaded) {
+    const shape::Bounds& box = scene_.archetypes[scene_.lit[shaded.lit].archetype].bounds;
+    if (defined_[shaded.index()]) return nodes_.use("LOD", "children", nameOf(shaded));
+    defined_[shaded.index()] = true;
+    const glm::vec3 size = box.upper - box.lower;
+    nodes_.open("LOD", "children", nameOf(shaded));
+    nodes_.vector("center", glm::vec3(0, 0.5f * (box.lower.y + box.upper.y), 0), 1);
+    nodes_.numbers("range", std::array{cloudRange(std::max({size.x, size.y, size.z}))}, 1, 0);
+    level(shaded, Detail::Full, {});
+    level(shaded, Detail::Simple, {});
+    nodes_.close();
+  }
+
+  void fixedLevel(const Shaded& shaded, Detail detail) {
+    std::vector<bool>& defined = detail == Detail::Full ? defined_ : simpleDefined_;
+    const std::string def = nameOf(shaded) + (detail == Detail::Full ? "" : "_far");
+    if (defined[shaded.index()]) return nodes_.use("Group", "children", def);
+    defined[shaded.index()] = true;
+    level(shaded, detail, def);
+  }
+
+  /// A Group with the puffs (or, simple, the far puffs as one part) of a shaded archetype.
+  void level(const Shaded& shaded, Detail detail, const std::string& def) {
+    const scene::LitArchetype& lit = scene_.lit[shaded.lit];
+    const scene::Archetype& archetype = scene_.archetypes[lit.archetype];
+    if (detail == Detail::Full)
+      parts(archetype.genus, turned(shaded, archetype.puffs, lit.puffs), archetype.sectionStart,
+            kMostClusters, def);
+    else if (archetype.farPuffs.empty())
+      parts(archetype.genus, turned(shaded, archetype.puffs, lit.puffs), {}, 1, def);
+    else
+      parts(archetype.genus, turned(shaded, archetype.farPuffs, lit.farPuffs), {}, 1, def);
+  }
+
+  void parts(base::Genus genus, const std::vector<LitPuff>& puffs, std::span<const std::uint32_t> sections,
+             std::size_t most, const std::string& def) {
+    std::vector<shape::Puff> bare;
+    for (const LitPuff& lit : puffs) bare.push_back(lit.puff);
+    nodes_.open("Group", "children", def);
+    for (const Cluster& cluster : clustersOf(bare, sections, most)) {
+      std::vector<LitPuff> members;
+      for (const std::uint32_t i : cluster.puffs) members.push_back(puffs[i]);
+      if (!cluster.turns) {
+        spreadAsFlat(members);
+        shapes_.write(genus, crossedQuads(members, glm::vec3(0), shapes_.atlas(genus)));
+        continue;
       }
-    return static_cast<float>(std::max(1.0, std::sqrt(texels / kMostTexels)));
-  }
-
-  std::string fileOf(const TileNode& tile) const {
-    return fmt::format("scene.tile_{}.{}", tile.name, encoding_ == Encoding::Xml ? "x3d" : "x3dv");
-  }
-
-  void writeTiles(NodeWriter& nodes, QuadShapes& shapes, const std::vector<TileNode>& tiles) const {
-    for (const TileNode& tile : tiles) writeTile(nodes, shapes, tile);
-    if (std::any_of(tiles.begin(), tiles.end(),
-                    [&](const TileNode& tile) { return clocked_.contains(&tile); }))
-      writeClock(nodes);
-    for (const TileNode& tile : tiles) writeRoutes(nodes, tile);
-  }
-
-  /// The tile from afar, until the viewer is near and its file is loaded.
-  void writeTile(NodeWriter& nodes, QuadShapes& shapes, const TileNode& tile) const {
-    nodes.open("ProximitySensor", "children", "Near_" + tile.name);
-    nodes.vector("center", tile.middle(), 1);
-    nodes.vector("size", glm::vec3(2 * kLoadAhead * tile.range), 0);
-    nodes.close();
-    nodes.open("IntegerTrigger", "children", "Choose_" + tile.name);
-    nodes.integer("integerKey", 1);
-    nodes.close();
-    nodes.open("LOD", "children", "Tile_" + tile.name);
-    nodes.vector("center", tile.middle(), 1);
-    nodes.numbers("range", std::array{tile.range}, 1, 0);
-    nodes.open("Switch", "children", "Choice_" + tile.name);
-    nodes.integer("whichChoice", 0);
-    nodes.open("Group", "children", "Far_" + tile.name);
-    writeViews(nodes, shapes, scene_, tile, views_.at(&tile));
-    nodes.close();
-    nodes.open("Inline", "children", "Clouds_" + tile.name);
-    nodes.boolean("load", false);
-    nodes.strings("url", std::vector<std::string>{fileOf(tile)});
-    nodes.close();
-    nodes.close();
-    nodes.use("Group", "children", "Far_" + tile.name);
-    nodes.close();
-    nodes.open("LoadSensor", "children", "Loaded_" + tile.name);
-    nodes.use("Inline", "children", "Clouds_" + tile.name);
-    nodes.close();
-  }
-
-  /// A clock whose one long cycle began in 1970: X3DOM runs it, and then stops it, as it would have the scene
-  /// drawn again and again. X_ITE does not start what is to have begun in the past and not to begin anew.
-  static void writeClock(NodeWriter& nodes) {
-    nodes.open("TimeSensor", "children", "Clock");
-    nodes.number("cycleInterval", 1e11, 0);
-    nodes.number("startTime", 1, 0);
-    nodes.close();
-    for (const char* filter : {"Start", "Stop"}) {
-      nodes.open("BooleanFilter", "children", filter);
-      nodes.close();
+      nodes_.open("Transform");
+      nodes_.vector("translation", cluster.center, 1);
+      nodes_.open("Billboard");
+      nodes_.vector("axisOfRotation", glm::vec3(0), 0);
+      shapes_.write(genus, facingQuads(members, cluster.center, shapes_.atlas(genus)));
+      nodes_.close();
+      nodes_.close();
     }
-    nodes.route("Clock", "isActive", "Start", "set_boolean");
-    nodes.route("Start", "inputTrue", "Stop", "set_boolean");
-    nodes.route("Stop", "inputNegate", "Clock", "enabled");
+    nodes_.close();
   }
 
-  void writeRoutes(NodeWriter& nodes, const TileNode& tile) const {
-    const std::string clouds = "Clouds_" + tile.name, choose = "Choose_" + tile.name;
-    nodes.route("Near_" + tile.name, "isActive", clouds, "load");
-    nodes.route("Loaded_" + tile.name, "isLoaded", choose, "set_boolean");
-    nodes.route(choose, "triggerValue", "Choice_" + tile.name, "whichChoice");
-    if (!clocked_.contains(&tile)) return;
-    nodes.route("Start", "inputTrue", clouds, "load");
-    nodes.route("Start", "inputTrue", choose, "set_boolean");
+  /// Quads have no thickness: they stand further apart, so that they begin and end where the puffs do.
+  static void spreadAsFlat(std::vector<LitPuff>& members) {
+    constexpr double kBorderShare = 0.05, kEndShare = 0.01;
+    std::vector<shape::Puff> puffs;
+    for (const LitPuff& lit : members) puffs.push_back(lit.puff);
+    const double lower = shape::heightOfShare(puffs, kBorderShare),
+                 upper = shape::heightOfShare(puffs, 1 - kBorderShare),
+                 lowest = shape::heightOfShare(puffs, kEndShare),
+                 highest = shape::heightOfShare(puffs, 1 - kEndShare);
+    for (shape::Puff& puff : puffs) puff.sigma = glm::vec3(1e-3f), puff.extinctionPerMeter = 1;
+    for (std::size_t i = 0; i < members.size(); ++i)
+      puffs[i].extinctionPerMeter = static_cast<float>(shape::extinctionArea(members[i].puff));
+    const double flatLower = shape::heightOfShare(puffs, kBorderShare),
+                 flatUpper = shape::heightOfShare(puffs, 1 - kBorderShare);
+    if (!(flatUpper - flatLower > 0.05 * (upper - lower))) return;  // all in one plane
+    const double stretch = std::min(3.0, (upper - lower) / (flatUpper - flatLower));
+    for (LitPuff& lit : members)
+      lit.puff.center.y = static_cast<float>(
+          std::clamp(0.5 * (lower + upper) + stretch * (lit.puff.center.y - 0.5 * (flatLower + flatUpper)),
+                     lowest, highest));
   }
 
+  /// Level quads have no thickness: several, from where a uniform layer of the puff's depth begins to where
+  /// it ends, tell base and top, and each height between that they are far apart.
+  static void addLevels(const LitPuff& whole, std::vector<LitPuff>& out) {
+    constexpr float kAway = 1.5f, kThin = 0.02f, kStepMeters = 1500;
+    const float reach = kAway * whole.puff.sigma.y;
+    const int levels = std::clamp(1 + static_cast<int>(std::lround(2 * reach / kStepMeters)), 2, 6);
+    for (int i = 0; i < levels; ++i) {
+      LitPuff level = whole;
+      level.planes = Planes::Level;
+      level.puff.center +=
+          whole.puff.rotation * glm::vec3(0, reach * (2.0f * static_cast<float>(i) / (levels - 1) - 1), 0);
+      level.puff.sigma.y *= kThin;
+      level.puff.extinctionPerMeter /= kThin * static_cast<float>(levels);
+      out.push_back(level);
+    }
+  }
+
+  /// Clouds as crossed cards, one Shape a genus, in the scene frame.
+  void cards(std::span<const std::uint32_t> instances, Range range) {
+    const bool inParts = 5 * scene_.instances.size() <= kFarPuffs;
+    std::map<base::Genus, std::vector<LitPuff>> puffs;
+    for (const std::uint32_t i : instances) {
+      const scene::Instance& instance = scene_.instances[i];
+      const scene::LitArchetype& lit = scene_.lit[instance.lit];
+      const scene::Archetype& archetype = archetypeOf(instance);
+      const std::span<const shape::Puff> source =
+          inParts ? std::span(archetype.farPuffs) : std::span(&archetype.onePuff, 1);
+      const std::span<const light::PuffLight> lights =
+          inParts ? std::span(lit.farPuffs) : std::span(&lit.onePuff, 1);
+      const glm::vec3 dimming = light::dimming(instance.sunlight, scene_.sun.color, scene_.sky);
+      std::vector<LitPuff> placed;
+      for (size_t p = 0; p < source.size(); ++p)
+        placed.push_back({scene::placed(scene_, instance, source[p]), dimming * lights[p].color});
+      auto& all = puffs[archetype.genus];
+      // From afar nobody tells how dense a cloud is, or where within it: one quad less to blend.
+      if (range == Range::Far) {
+        all.insert(all.end(), placed.begin(), placed.end());
+        continue;
+      }
+      for (LitPuff& whole : placed) {
+        addLevels(whole, all);
+        whole.planes = Planes::Upright;
+        all.push_back(whole);
+      }
+    }
+    for (const auto& [genus, all] : puffs)
+      shapes_.write(genus, crossedQuads(all, glm::vec3(0), shapes_.atlas(genus)));
+  }
+
+  NodeWriter& nodes_;
+  QuadShapes& shapes_;
   const scene::Scene& scene_;
-  const std::vector<image::SpriteAtlas>& atlases_;
-  Encoding encoding_;
-  std::vector<TileNode> trees_;
-  std::vector<const TileNode*> all_;  ///< every tile, before those within it
-  std::set<const TileNode*> clocked_;
-  std::map<const TileNode*, TileViews> views_;
+  const Stage& stage_;
+  std::vector<Detail> detail_;
+  std::vector<bool> defined_, simpleDefined_;
 };
 
 }  // namespace
 
-void writeTiles(NodeWriter& nodes, QuadShapes& shapes, const scene::Scene& scene, const Stage& stage,
-                const std::filesystem::path& folder, const base::Progress& progress) {
-  Tiles tiles(scene, stage, shapes.atlases(), nodes.encoding());
-  tiles.draw(folder / "textures", progress);
-  tiles.files(folder, progress);
-  tiles.writeRoots(nodes, shapes);
-}
-
-void writeTileGroups(NodeWriter& nodes, QuadShapes& shapes, const scene::Scene& scene, const Stage& stage,
-                     const base::Progress& progress) {
-  // Those nearest to where the viewpoints look are drawn in full, more of them as their far level.
-  std::vector<std::uint32_t> order(scene.instances.size()), rank(order.size());
-  std::iota(order.begin(), order.end(), 0u);
-  const auto distance = [&](std::uint32_t i) {
-    return glm::distance(scene.instances[i].position, stage.focus);
-  };
-  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return distance(a) < distance(b); });
-  for (std::uint32_t i = 0; i < order.size(); ++i) rank[order[i]] = i;
-
-  CloudNodes clouds(nodes, shapes, scene);
-  const auto trees = tileTrees(scene, stage);
-  for (std::size_t i = 0; i < trees.size(); ++i) {
-    progress.step("writing VRML", static_cast<double>(i) / static_cast<double>(trees.size()));
-    nodes.open("Group", "children", "Tile_" + trees[i].name);
-    std::vector<std::uint32_t> others;
-    for (const std::uint32_t instance : trees[i].instances) {
-      if (rank[instance] < kVrml97Simple)
-        clouds.cloud(instance, rank[instance] < kVrml97Full);
-      else
-        others.push_back(instance);
-    }
-    writeCards(shapes, scene, others, CardRange::Near);
-    nodes.close();
+void writeClouds(NodeWriter& nodes, QuadShapes& shapes, const scene::Scene& scene, const Stage& stage,
+                 const base::Progress& progress) {
+  CloudWalk walk(nodes, shapes, scene, stage);
+  const auto tiles = scene::tilesOf(scene, tileSide(stage));
+  for (size_t i = 0; i < tiles.size(); ++i) {
+    progress.step("writing X3D", static_cast<double>(i) / static_cast<double>(tiles.size()));
+    walk.tile(tiles[i]);
   }
 }
 

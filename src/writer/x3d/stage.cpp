@@ -14,6 +14,8 @@ float widthOf(const scene::Scene& scene, const scene::Instance& instance) {
 
 }  // namespace
 
+float tileSide(const Stage& stage) { return std::max({stage.extent / 7.99f, 2 * stage.cloudWidth, 1000.0f}); }
+
 Stage stageOf(const scene::Scene& scene) {
   Stage stage;
   const glm::dvec2 low = scene.frame.lowerCorner(), high = scene.frame.upperCorner();
@@ -35,8 +37,7 @@ Stage stageOf(const scene::Scene& scene) {
   stage.focus = 0.5f * (stage.lower + stage.upper);
   stage.focusBase = stage.focusTop = stage.focus.y;
   double most = 0;
-  for (const scene::Tile& tile :
-       scene::tilesOf(scene, std::max({stage.extent / 16, stage.cloudWidth, 500.0f}))) {
+  for (const scene::Tile& tile : scene::tilesOf(scene, 0.5f * tileSide(stage))) {
     double cover = 0, base = 0;
     glm::dvec3 middle(0);
     float top = -1e30f;

@@ -16,4 +16,7 @@ struct Stage {
 
 Stage stageOf(const scene::Scene& scene);
 
+/// Side of the tiles: at most 8 by 8 of them, none smaller than a few clouds.
+float tileSide(const Stage& stage);
+
 }  // namespace cloudgen::writer

@@ -18,10 +18,7 @@ void writeScene(const scene::Scene& scene, const Destination& destination, Encod
 
   nodes->start(head);
   writeEnvironment(*nodes, scene, stage, head);
-  if (encoding == Encoding::Vrml97)
-    writeTileGroups(*nodes, shapes, scene, stage, destination.progress);
-  else
-    writeTiles(*nodes, shapes, scene, stage, destination.folder, destination.progress);
+  writeClouds(*nodes, shapes, scene, stage, destination.progress);
   nodes->finish();
 }
 

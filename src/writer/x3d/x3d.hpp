@@ -5,8 +5,8 @@
 
 namespace cloudgen::writer {
 
-/// Writes scene.x3d (X3D 4.0, XML encoding), a file beside it for each tile of clouds, and textures/. Only
-/// nodes that X_ITE, X3DOM and view3dscene all draw.
+/// Writes scene.x3d (X3D 4.0, XML encoding) and textures/. Only nodes that X_ITE, X3DOM and view3dscene all
+/// draw.
 void writeX3d(const scene::Scene& scene, const Destination& destination);
 
 /// Writes scene.x3dv, the same nodes in the ClassicVRML encoding, and textures/.

@@ -73,17 +73,6 @@ void XmlWriter::use(std::string_view type, std::string_view field, std::string_v
   inTag_ = false;
 }
 
-void XmlWriter::route(std::string_view fromNode, std::string_view fromField, std::string_view toNode,
-                      std::string_view toField) {
-  beginTag("ROUTE", {});
-  string("fromNode", fromNode);
-  string("fromField", fromField);
-  string("toNode", toNode);
-  string("toField", toField);
-  text() += "/>";
-  inTag_ = false;
-}
-
 void XmlWriter::finish() {
   text() += "\n</Scene>\n</X3D>\n";
   file_.close();
