@@ -211,7 +211,7 @@ std::function<int()> setupBuild(CLI::App& options, const Terminal& terminal) {
   options.add_option("--bbox", line->box,
                      "west,south,east,north in degrees (default: the whole model domain)");
   options.add_option("--formats", line->formats,
-                     "comma-separated list; `cloudgen formats` lists them (default: all but ply and tiles)");
+                     "comma-separated list; `cloudgen formats` lists them (default: all but ply, tiles and impostors)");
   options.add_option("--seed", line->seed, "another seed, another sky of the same statistics")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();

@@ -31,12 +31,24 @@ constexpr std::array<std::string_view, 2> kFilms{".webm", ".mp4"};
 
 /// Joins frames by ffmpeg, a program of Debian. Throws OutputError where it is not there or fails.
 void encode(const fs::path& frames, const fs::path& film, double framesPerSecond) {
-  std::vector<std::string> words{"ffmpeg", "-nostdin", "-loglevel", "error", "-y", "-framerate", fmt::format("{}", framesPerSecond),
-                                 "-i", (frames / "%05d.png").string(), "-pix_fmt", "yuv420p", "-vf",
+  std::vector<std::string> words{"ffmpeg",
+                                 "-nostdin",
+                                 "-loglevel",
+                                 "error",
+                                 "-y",
+                                 "-framerate",
+                                 fmt::format("{}", framesPerSecond),
+                                 "-i",
+                                 (frames / "%05d.png").string(),
+                                 "-pix_fmt",
+                                 "yuv420p",
+                                 "-vf",
                                  "pad=ceil(iw/2)*2:ceil(ih/2)*2"};
-  if (base::hasExtension(film, ".webm")) words.insert(words.end(), {"-c:v", "libvpx-vp9", "-crf", "28", "-b:v", "0"});
+  if (base::hasExtension(film, ".webm"))
+    words.insert(words.end(), {"-c:v", "libvpx-vp9", "-crf", "28", "-b:v", "0"});
   // The same bytes for the same frames.
-  words.insert(words.end(), {"-fflags", "+bitexact", "-flags:v", "+bitexact", "-map_metadata", "-1", film.string()});
+  words.insert(words.end(),
+               {"-fflags", "+bitexact", "-flags:v", "+bitexact", "-map_metadata", "-1", film.string()});
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
@@ -45,8 +57,9 @@ void encode(const fs::path& frames, const fs::path& film, double framesPerSecond
   const bool ran = ::posix_spawnp(&process, "ffmpeg", nullptr, nullptr, arguments.data(), environ) == 0 &&
                    ::waitpid(process, &status, 0) == process;
   if (!ran || status != 0)
-    throw base::OutputError(film.string(), ran ? "could not be encoded by ffmpeg" : "needs the program ffmpeg, which is not here",
-                            "install ffmpeg, or name a folder for the frames");
+    throw base::OutputError(
+        film.string(), ran ? "could not be encoded by ffmpeg" : "needs the program ffmpeg, which is not here",
+        "install ffmpeg, or name a folder for the frames");
 }
 
 int film(const FilmLine& line, const Terminal& terminal) {
@@ -70,11 +83,15 @@ int film(const FilmLine& line, const Terminal& terminal) {
                     image::render(sky.splats, camera, sky.surroundings, {.detail = !line.draft}, {}));
   }
   progress.step("film", 1);
-  if (isFilm)
-    encode(folder.path(), line.output, line.framesPerSecond);
-  else
+  if (isFilm) {
+    const fs::path whole = folder.path() / fs::path(line.output).filename();
+    encode(folder.path(), whole, line.framesPerSecond);
+    fs::rename(whole, line.output);
+  } else {
     folder.commit();
-  terminal.say(fmt::format("{}: {} frames, {} to {}", line.output, frames, base::isoText(file.first()), base::isoText(file.last())));
+  }
+  terminal.say(fmt::format("{}: {} frames, {} to {}", line.output, frames, base::isoText(file.first()),
+                           base::isoText(file.last())));
   return 0;
 }
 
@@ -83,7 +100,9 @@ int film(const FilmLine& line, const Terminal& terminal) {
 std::function<int()> setupFilm(CLI::App& options, const Terminal& terminal) {
   const auto line = std::make_shared<FilmLine>();
   options.add_option("DIR", line->folder, "the folder of a sky that moves (build --time all)")->required();
-  options.add_option("-o,--output", line->output, "a film (.webm, .mp4; by ffmpeg), or a folder for its frames (PNG)")
+  options
+      .add_option("-o,--output", line->output,
+                  "a film (.webm, .mp4; by ffmpeg), or a folder for its frames (PNG)")
       ->required();
   options
       .add_option("--view", line->view, "top, ground, horizon or EYE:TARGET as lon,lat,height:lon,lat,height")
@@ -92,7 +111,9 @@ std::function<int()> setupFilm(CLI::App& options, const Terminal& terminal) {
   options.add_option("--step", line->stepMinutes, "minutes of the sky from frame to frame")
       ->check(CLI::Range(0.02, 1440.0))
       ->capture_default_str();
-  options.add_option("--fps", line->framesPerSecond, "frames a second of a film")->check(CLI::Range(1.0, 120.0))->capture_default_str();
+  options.add_option("--fps", line->framesPerSecond, "frames a second of a film")
+      ->check(CLI::Range(1.0, 120.0))
+      ->capture_default_str();
   options.add_flag("--draft", line->draft, "smooth puffs, without the finer detail: faster");
   options.add_option("--threads", line->threads, "worker threads (0: all cores)")->check(CLI::Range(0, 1024));
   return [line, &terminal] { return film(*line, terminal); };

@@ -28,18 +28,19 @@ std::string encodedPng(OIIO::ImageSpec spec, const void* pixels) {
   return {bytes.begin(), bytes.end()};
 }
 
-std::string pngBytes(const ByteImage& image, PngEffort effort) {
+std::string pngBytes(const ByteImage& image) {
   OIIO::ImageSpec spec(image.width, image.height, image.channels, OIIO::TypeDesc::UINT8);
   if (image.channels == 2) {
     spec.channelnames = {"Y", "A"};
     spec.alpha_channel = 1;
   }
   if (image.channels != 3) spec.attribute("oiio:UnassociatedAlpha", 1);
-  spec.attribute("png:compressionLevel", effort == PngEffort::Quick ? 3 : 9);
+  spec.attribute("png:compressionLevel", 9);
   return encodedPng(spec, image.bytes.data());
 }
 
 ByteImage imageFromPng(std::span<const unsigned char> bytes) {
+  constexpr int kMostPixels = 1 << 14;  // along a side
   const auto fail = [](const std::string& reason) {
     throw base::InputError("PNG", "a picture cannot be read (" + reason + ")", "make the file again");
   };
@@ -50,22 +51,25 @@ ByteImage imageFromPng(std::span<const unsigned char> bytes) {
   OIIO::ImageSpec spec;
   if (!reader || !reader->set_ioproxy(&proxy)) fail("OpenImageIO has no PNG reader");
   if (!reader->open("memory.png", spec, wanted)) fail(reader->geterror());
+  if (spec.nchannels < 1 || spec.nchannels > 4 || spec.width > kMostPixels || spec.height > kMostPixels)
+    fail("of too many channels or pixels");
   const auto pixels = static_cast<size_t>(spec.width) * static_cast<size_t>(spec.height),
              channels = static_cast<size_t>(spec.nchannels);
   std::vector<unsigned char> stored(pixels * channels);
-  if (!reader->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, stored.data())) fail(reader->geterror());
+  if (!reader->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, stored.data()))
+    fail(reader->geterror());
   ByteImage image{spec.width, spec.height, 4, std::vector<unsigned char>(pixels * 4, 255)};
-  const bool isGrey = channels < 3;
-  for (size_t i = 0; i < pixels; ++i)
-    for (size_t c = 0; c < 4; ++c) {
-      const size_t from = !isGrey ? c : c < 3 ? 0 : 1;
-      if (from < channels) image.bytes[4 * i + c] = stored[channels * i + from];
-    }
+  const bool hasAlpha = channels % 2 == 0;
+  for (size_t i = 0; i < pixels; ++i) {
+    const unsigned char* from = &stored[channels * i];
+    for (size_t c = 0; c < 3; ++c) image.bytes[4 * i + c] = from[channels > 2 ? c : 0];
+    if (hasAlpha) image.bytes[4 * i + 3] = from[channels - 1];
+  }
   return image;
 }
 
-void writePng(const std::filesystem::path& file, const ByteImage& image, PngEffort effort) {
-  base::writeFile(file, pngBytes(image, effort));
+void writePng(const std::filesystem::path& file, const ByteImage& image) {
+  base::writeFile(file, pngBytes(image));
 }
 
 void writePng(const std::filesystem::path& file, const Picture& picture) {
@@ -76,33 +80,6 @@ void writePng(const std::filesystem::path& file, const Picture& picture) {
       image.bytes.push_back(
           static_cast<unsigned char>(std::lround(255.0f * std::clamp(pixel[c], 0.0f, 1.0f))));
   writePng(file, image);
-}
-
-ByteImage readPng(const std::filesystem::path& file) {
-  const auto fail = [&](const std::string& reason) {
-    throw base::InputError(file.string(), "cannot be read as a PNG (" + reason + ")",
-                           "make the set again with: cloudgen textures");
-  };
-  OIIO::ImageSpec wanted;
-  wanted.attribute("oiio:UnassociatedAlpha", 1);
-  const auto reader = OIIO::ImageInput::open(file.string(), &wanted);
-  if (!reader) fail(OIIO::geterror());
-  const OIIO::ImageSpec& spec = reader->spec();
-  constexpr int kMostPixels = 1 << 14;
-  const int channels = spec.nchannels;
-  if (channels < 1 || channels > 4 || spec.width > kMostPixels || spec.height > kMostPixels)
-    fail("of too many channels or pixels");
-  const size_t pixels = static_cast<size_t>(spec.width) * static_cast<size_t>(spec.height);
-  std::vector<unsigned char> read(static_cast<size_t>(channels) * pixels);
-  if (!reader->read_image(0, 0, 0, channels, OIIO::TypeDesc::UINT8, read.data())) fail(reader->geterror());
-  ByteImage image{spec.width, spec.height, 4, std::vector<unsigned char>(4 * pixels, 255)};
-  const bool hasAlpha = channels % 2 == 0;
-  for (size_t i = 0; i < pixels; ++i) {
-    const unsigned char* from = read.data() + static_cast<size_t>(channels) * i;
-    for (size_t c = 0; c < 3; ++c) image.bytes[4 * i + c] = from[channels > 2 ? c : 0];
-    if (hasAlpha) image.bytes[4 * i + 3] = from[channels - 1];
-  }
-  return image;
 }
 
 }  // namespace cloudgen::image

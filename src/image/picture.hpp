@@ -29,22 +29,15 @@ struct ByteImage {
   std::vector<unsigned char> bytes;
 };
 
-/// How long a PNG may take to be made small.
-enum class PngEffort { Smallest, Quick };
-
 /// A PNG file (through OpenImageIO); the same bytes for the same image. Throws OutputError.
-std::string pngBytes(const ByteImage& image, PngEffort effort = PngEffort::Smallest);
+std::string pngBytes(const ByteImage& image);
 
-/// The pixels of a PNG file, RGBA with straight alpha. Throws InputError.
+/// The pixels of a PNG file, RGBA with straight alpha (255 where it has none). Throws InputError; also for
+/// more than 16384 pixels along a side.
 ByteImage imageFromPng(std::span<const unsigned char> bytes);
 
 /// Writes a PNG; the file is whole or absent. Throws OutputError.
-void writePng(const std::filesystem::path& file, const ByteImage& image,
-              PngEffort effort = PngEffort::Smallest);
+void writePng(const std::filesystem::path& file, const ByteImage& image);
 void writePng(const std::filesystem::path& file, const Picture& picture);
-
-/// Reads a PNG as four channels of 8 bits, straight alpha (255 where it has none). Throws InputError if it is
-/// missing or is none.
-ByteImage readPng(const std::filesystem::path& file);
 
 }  // namespace cloudgen::image

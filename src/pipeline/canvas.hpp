@@ -10,11 +10,11 @@
 #include "field/cloud_table.hpp"
 #include "field/grid.hpp"
 #include "pipeline/footprint.hpp"
+#include "shape/blending.hpp"
 
 namespace cloudgen::pipeline {
 
-/// Seen from straight above, what has more than this optical depth is covered.
-inline constexpr double kCoveringOpticalDepth = 0.1;
+using shape::kCoveringOpticalDepth;
 
 /// A cloud as it is painted.
 struct Stamp {

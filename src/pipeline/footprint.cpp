@@ -4,31 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <glm/gtc/quaternion.hpp>
 #include <numbers>
 
+#include "shape/plan.hpp"
+
 namespace cloudgen::pipeline {
-namespace {
-
-/// A puff seen from above: a Gaussian in the plane.
-struct Shadow {
-  double x = 0, z = 0, xx = 0, xz = 0, zz = 0, peak = 0;
-};
-
-Shadow shadowOf(const shape::Puff& puff, double widthMeters, double share) {
-  const glm::mat3 axes = glm::mat3_cast(puff.rotation);
-  Shadow shadow;
-  shadow.x = puff.center.x / widthMeters, shadow.z = puff.center.z / widthMeters;
-  for (int k = 0; k < 3; ++k) {
-    const double x = puff.sigma[k] * axes[k].x / widthMeters, z = puff.sigma[k] * axes[k].z / widthMeters;
-    shadow.xx += x * x, shadow.xz += x * z, shadow.zz += z * z;
-  }
-  shadow.peak = share;
-  return shadow;
-}
-
-}  // namespace
-
 Footprint::Footprint(std::span<const shape::Puff> puffs, double widthMeters) {
   const shape::Bounds bounds = shape::boundsOf(puffs, 3.5f);
   lower_ = glm::dvec2(bounds.lower.x, bounds.lower.z) / widthMeters;
@@ -42,29 +22,17 @@ Footprint::Footprint(std::span<const shape::Puff> puffs, double widthMeters) {
   // Two thirds of a puff's deviation tell it from the next.
   const double extent = std::max(upper_.x - lower_.x, upper_.y - lower_.y) * widthMeters;
   pixels_ = static_cast<int>(std::clamp(1.5 * extent / smallest, 32.0, 160.0));
-  values_.assign(static_cast<std::size_t>(pixels_ * pixels_), 0.0f);
-  const glm::dvec2 pixel = (upper_ - lower_) / static_cast<double>(pixels_);
+  shape::PlanRaster raster(lower_, upper_, pixels_);
+  const glm::dvec2 pixel = raster.pixel();
   perWidth_ = 1.0 / pixel;
   for (const shape::Puff& puff : puffs) {
-    Shadow shadow = shadowOf(puff, widthMeters, shape::extinctionArea(puff) / total);
-    shadow.xx += pixel.x * pixel.x / 12, shadow.zz += pixel.y * pixel.y / 12;  // the mean over a pixel
-    const double determinant = shadow.xx * shadow.zz - shadow.xz * shadow.xz;
-    const double peak = shadow.peak / (2 * std::numbers::pi * std::sqrt(determinant));
-    const double acrossX = 3.5 * std::sqrt(shadow.xx), acrossZ = 3.5 * std::sqrt(shadow.zz);
-    const auto pixelOf = [&](double from, double size) {
-      return std::clamp(static_cast<int>(from / size), 0, pixels_ - 1);
-    };
-    for (int row = pixelOf(shadow.z - acrossZ - lower_.y, pixel.y);
-         row <= pixelOf(shadow.z + acrossZ - lower_.y, pixel.y); ++row)
-      for (int column = pixelOf(shadow.x - acrossX - lower_.x, pixel.x);
-           column <= pixelOf(shadow.x + acrossX - lower_.x, pixel.x); ++column) {
-        const double dx = lower_.x + (column + 0.5) * pixel.x - shadow.x,
-                     dz = lower_.y + (row + 0.5) * pixel.y - shadow.z;
-        const double q = (shadow.zz * dx * dx - 2 * shadow.xz * dx * dz + shadow.xx * dz * dz) / determinant;
-        values_[static_cast<std::size_t>(row * pixels_ + column)] +=
-            static_cast<float>(peak * std::exp(-0.5 * q));
-      }
+    shape::PlanGaussian plan = shape::planOf(puff, widthMeters);
+    plan.xx += pixel.x * pixel.x / 12, plan.zz += pixel.y * pixel.y / 12;  // the mean over a pixel
+    const double peak =
+        shape::extinctionArea(puff) / total / (2 * std::numbers::pi * std::sqrt(plan.determinant()));
+    raster.add(plan, [peak](double gaussian) { return peak * gaussian; });
   }
+  values_ = raster.values();
   double painted = 0;
   for (const float value : values_) painted += value * pixel.x * pixel.y;
   for (float& value : values_) value = static_cast<float>(value / painted);

@@ -14,9 +14,11 @@ namespace {
 /// The least size of a cloud that comes or goes; what is left is not there.
 constexpr float kLeastGrowth = 0.02f;
 
-/// A cloud that forms (share from 0 to 1): its area grows evenly, and so do cover and water; nothing is there at first.
+/// A cloud that forms (share from 0 to 1): its area grows evenly, and so do cover and water; nothing is there
+/// at first.
 scene::Moment formed(double share) {
-  return {glm::vec3(0), std::max(kLeastGrowth, static_cast<float>(std::sqrt(share))), share > 0 ? 1.0f : 0.0f};
+  return {glm::vec3(0), std::max(kLeastGrowth, static_cast<float>(std::sqrt(share))),
+          share > 0 ? 1.0f : 0.0f};
 }
 
 /// Of a width on the way to another, over its own: the area goes evenly.
@@ -46,7 +48,8 @@ std::vector<glm::dvec2> thinned(const std::vector<glm::dvec2>& way, std::size_t 
 }
 
 /// Of the pair's way: it leaves the one's and comes into the other's.
-glm::dvec2 placeOfPair(const std::vector<glm::dvec2>& forwards, const std::vector<glm::dvec2>& backwards, std::size_t i) {
+glm::dvec2 placeOfPair(const std::vector<glm::dvec2>& forwards, const std::vector<glm::dvec2>& backwards,
+                       std::size_t i) {
   const double share = static_cast<double>(i) / static_cast<double>(forwards.size() - 1);
   return forwards[i] + eased(share) * (backwards[i] - forwards[i]);
 }
@@ -55,26 +58,62 @@ glm::vec3 shiftOf(const glm::dvec2& place, const motion::CarriedCloud& home, dou
   return {place.x - home.place.x, baseMeters - home.baseMeters, place.y - home.place.y};
 }
 
+/// A cloud of one of both times on its way; `comes`: of the later one. At its own time all of it is there.
+std::vector<scene::Moment> momentsOf(const Passage& passage, const CloudsOfTime& earlier,
+                                     const CloudsOfTime& later, std::uint32_t cloud, bool comes) {
+  const motion::CarriedCloud& own = (comes ? later : earlier).clouds[cloud];
+  const motion::Fate& fate = (comes ? passage.tracking.later : passage.tracking.earlier)[cloud];
+  const auto& way = (comes ? passage.backwards : passage.forwards)[cloud];
+  std::vector<scene::Moment> moments;
+  for (int i = 0; i <= passage.intervals; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const double share = static_cast<double>(i) / passage.intervals, away = comes ? 1 - share : share;
+    glm::dvec2 place = way[at];
+    double base = own.baseMeters;
+    scene::Moment moment = formed(1 - away);
+    if (fate.partner) {
+      const motion::CarriedCloud& partner = (comes ? earlier : later).clouds[*fate.partner];
+      place = comes ? placeOfPair(passage.forwards[*fate.partner], way, at)
+                    : placeOfPair(way, passage.backwards[*fate.partner], at);
+      base += away * (partner.baseMeters - own.baseMeters);
+      if (!fate.aside)
+        moment = {glm::vec3(0), grown(own.widthMeters, partner.widthMeters, away),
+                  static_cast<float>(1 - away)};
+    }
+    moment.shift = shiftOf(place, own, base);
+    moments.push_back(moment);
+  }
+  return moments;
+}
+
 }  // namespace
 
-CloudsOfTime cloudsOfTime(const field::Grid& grid, const base::LocalFrame& frame, const field::CloudTable& table) {
+CloudsOfTime cloudsOfTime(const field::Grid& grid, const base::LocalFrame& frame,
+                          const field::CloudTable& table) {
   std::vector<motion::WindSample> samples;
-  const auto sample = [&](const field::GeoPoint& point, const glm::dvec2& place, float height, double east, double north) {
+  const auto sample = [&](const field::GeoPoint& point, const glm::dvec2& place, float height, double east,
+                          double north) {
     const glm::dvec2 direction = frame.eastDirection(point.longitudeDegrees, point.latitudeDegrees);
-    samples.push_back({place, height, glm::vec2(east * direction.x + north * direction.y, east * direction.y - north * direction.x)});
+    samples.push_back(
+        {place, height,
+         glm::vec2(east * direction.x + north * direction.y, east * direction.y - north * direction.x)});
   };
   for (const field::Layer& layer : table.layers) {
     const field::GeoPoint point = field::centerOf(grid, layer.cell);
     const glm::dvec3 at = frame.toScene(point.longitudeDegrees, point.latitudeDegrees, 0);
     const glm::dvec2 place(at.x, at.z);
     for (const float share : {-0.5f, 0.0f, 0.5f})
-      sample(point, place, layer.baseMeters + (0.5f + share) * layer.depthMeters(), layer.windEast + share * layer.shearEast,
-             layer.windNorth + share * layer.shearNorth);
+      sample(point, place, layer.baseMeters + (0.5f + share) * layer.depthMeters(),
+             layer.windEast + share * layer.shearEast, layer.windNorth + share * layer.shearNorth);
   }
   CloudsOfTime out{{}, {frame.lowerCorner(), frame.upperCorner(), samples}};
   for (const field::Cloud& cloud : table.clouds) {
     const glm::dvec3 at = frame.toScene(cloud.longitudeDegrees, cloud.latitudeDegrees, cloud.baseMeters);
-    out.clouds.push_back({{at.x, at.z}, cloud.widthMeters, cloud.baseMeters, cloud.depthMeters, table.layers[cloud.layer].genus});
+    out.clouds.push_back({{at.x, at.z},
+                          cloud.widthMeters,
+                          cloud.baseMeters,
+                          cloud.depthMeters,
+                          table.layers[cloud.layer].genus});
   }
   return out;
 }
@@ -88,7 +127,8 @@ Passage passageOf(const CloudsOfTime& earlier, const CloudsOfTime& later, double
     std::vector<std::vector<glm::dvec2>> ways(time.clouds.size());
     base::parallelFor(ways.size(), [&](std::size_t i) {
       const motion::CarriedCloud& cloud = time.clouds[i];
-      ways[i] = motion::pathOf(wind, cloud.place, cloud.baseMeters + 0.5 * cloud.depthMeters, kFine, backwards);
+      ways[i] =
+          motion::pathOf(wind, cloud.place, cloud.baseMeters + 0.5 * cloud.depthMeters, kFine, backwards);
       if (backwards) std::reverse(ways[i].begin(), ways[i].end());
     });
     return ways;
@@ -117,54 +157,14 @@ Passage passageOf(const CloudsOfTime& earlier, const CloudsOfTime& later, double
   return passage;
 }
 
-std::vector<scene::Moment> going(const Passage& passage, const CloudsOfTime& earlier, const CloudsOfTime& later,
-                                 std::uint32_t cloud) {
-  const motion::CarriedCloud& own = earlier.clouds[cloud];
-  const motion::Fate& fate = passage.tracking.earlier[cloud];
-  std::vector<scene::Moment> moments;
-  for (int i = 0; i <= passage.intervals; ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    const double share = static_cast<double>(i) / passage.intervals;
-    glm::dvec2 place = passage.forwards[cloud][at];
-    double base = own.baseMeters;
-    scene::Moment moment = formed(1 - share);
-    if (fate.partner) {
-      const motion::CarriedCloud& partner = later.clouds[*fate.partner];
-      place = placeOfPair(passage.forwards[cloud], passage.backwards[*fate.partner], at);
-      base += share * (partner.baseMeters - own.baseMeters);
-      if (!fate.aside)
-        moment = {glm::vec3(0), grown(own.widthMeters, partner.widthMeters, share),
-                  static_cast<float>(1 - share)};
-    }
-    moment.shift = shiftOf(place, own, base);
-    moments.push_back(moment);
-  }
-  return moments;
+std::vector<scene::Moment> going(const Passage& passage, const CloudsOfTime& earlier,
+                                 const CloudsOfTime& later, std::uint32_t cloud) {
+  return momentsOf(passage, earlier, later, cloud, false);
 }
 
-std::vector<scene::Moment> coming(const Passage& passage, const CloudsOfTime& earlier, const CloudsOfTime& later,
-                                  std::uint32_t cloud) {
-  const motion::CarriedCloud& own = later.clouds[cloud];
-  const motion::Fate& fate = passage.tracking.later[cloud];
-  std::vector<scene::Moment> moments;
-  for (int i = 0; i <= passage.intervals; ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    const double share = static_cast<double>(i) / passage.intervals;
-    glm::dvec2 place = passage.backwards[cloud][at];
-    double base = own.baseMeters;
-    scene::Moment moment = formed(share);
-    if (fate.partner) {
-      const motion::CarriedCloud& partner = earlier.clouds[*fate.partner];
-      place = placeOfPair(passage.forwards[*fate.partner], passage.backwards[cloud], at);
-      base += (1 - share) * (partner.baseMeters - own.baseMeters);
-      if (!fate.aside)
-        moment = {glm::vec3(0), grown(own.widthMeters, partner.widthMeters, 1 - share),
-                  static_cast<float>(share)};
-    }
-    moment.shift = shiftOf(place, own, base);
-    moments.push_back(moment);
-  }
-  return moments;
+std::vector<scene::Moment> coming(const Passage& passage, const CloudsOfTime& earlier,
+                                  const CloudsOfTime& later, std::uint32_t cloud) {
+  return momentsOf(passage, earlier, later, cloud, true);
 }
 
 }  // namespace cloudgen::pipeline

@@ -32,11 +32,12 @@ scene::Archetype makeArchetype(const ArchetypeKey& key, const Options& options,
   archetype.widthMeters = static_cast<float>(shape.widthMeters);
   archetype.depthMeters = static_cast<float>(shape.depthMeters);
   archetype.opticalDepth = static_cast<float>(shape.opticalDepth);
-  archetype.covering = shape::coveringOf(archetype.puffs, kCoveringOpticalDepth);
+  archetype.covering = shape::coveringOf(archetype.puffs);
   constexpr int kFarPuffs = 6;
   const double width = shape.widthMeters, depth = shape.opticalDepth,
                ground = groundCovered(archetype.puffs, width, depth);
   archetype.farPuffs = fewerPuffs(archetype.puffs, kFarPuffs, width, depth, ground);
+  archetype.farCovering = shape::coveringOf(archetype.farPuffs);
   archetype.onePuff = fewerPuffs(archetype.puffs, 1, width, depth, ground).front();
   return archetype;
 }

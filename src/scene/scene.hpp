@@ -31,12 +31,15 @@ struct Archetype {
   std::vector<shape::Puff> puffs;           ///< ordered by section
   std::vector<std::uint32_t> sectionStart;  ///< puffs of section s: [sectionStart[s], sectionStart[s+1])
   shape::Bounds bounds;
-  float widthMeters = 0, depthMeters = 0;      ///< nominal, at scale 1
-  float opticalDepth = 0;                      ///< vertical, mean over the nominal footprint, at factor 1
-  float covering = shape::kCoveringAmongMany;  ///< of its puffs drawn as blended blobs: shape::widenedAcross
-  std::vector<shape::Puff> farPuffs;  ///< the same cloud as a handful of puffs (at most 8), for far levels
-  shape::Puff onePuff;                ///< the same cloud as one puff that covers as much ground
-  light::CloudResponse response;      ///< how its puffs answer to any light, one a puff
+  float widthMeters = 0, depthMeters = 0;  ///< nominal, at scale 1
+  float opticalDepth = 0;                  ///< vertical, mean over the nominal footprint, at factor 1
+  float covering = shape::kCoveringAmongMany,
+        farCovering =
+            shape::kCoveringAmongMany;  ///< of its puffs, and of
+                                        ///< its far puffs, drawn as blended blobs: shape::widenedAcross
+  std::vector<shape::Puff> farPuffs;    ///< the same cloud as a handful of puffs (at most 8), for far levels
+  shape::Puff onePuff;                  ///< the same cloud as one puff that covers as much ground
+  light::CloudResponse response;        ///< how its puffs answer to any light, one a puff
 };
 
 /// The light on an archetype under one heading of it: one entry a puff (and one a far puff).
@@ -65,8 +68,8 @@ struct Moment {
   float presence = 1;  ///< on its optical depth: 0 where it is not there
 };
 
-/// The moments of an instance at the entries of Scene::keySeconds from `firstKey` on, linear between them. Before and
-/// after it is not there.
+/// The moments of an instance at the entries of Scene::keySeconds from `firstKey` on, linear between them.
+/// Before and after it is not there.
 struct Motion {
   std::uint32_t firstKey = 0;
   std::vector<Moment> moments;
@@ -102,9 +105,9 @@ struct Scene {
   std::vector<LitArchetype> lit;
   std::vector<Instance> instances;
   std::vector<CloudRecord> clouds;
-  float groundHeightMeters = 0;  ///< lowest ground, and all of it where the terrain is empty
-  base::HeightField terrain;     ///< its border lies at groundHeightMeters
-  light::ShadowPlane shadows;    ///< of all clouds, where they fall on the ground
+  float groundHeightMeters = 0;    ///< lowest ground, and all of it where the terrain is empty
+  base::HeightField terrain;       ///< its border lies at groundHeightMeters
+  light::ShadowPlane shadows;      ///< of all clouds, where they fall on the ground
   std::vector<double> keySeconds;  ///< of a sky that moves: from validTime on, ascending; else empty
   std::vector<Motion> motions;     ///< one an instance, or none
 };
@@ -115,8 +118,8 @@ std::uint64_t drawnPuffs(const Scene& scene);
 /// The puff of an instance in the scene frame: centre, deviations, rotation, extinction.
 shape::Puff placed(const Scene& scene, const Instance& instance, const shape::Puff& puff);
 
-/// The instances as they stand at a time of a sky that moves, those that are not there with an optical depth of 0. Times
-/// before the first key and after the last are taken there.
+/// The instances as they stand at a time of a sky that moves, those that are not there with an optical depth
+/// of 0. Times before the first key and after the last are taken there.
 std::vector<Instance> instancesAt(const Scene& scene, double seconds);
 
 /// Yaw of a step, radians.

@@ -15,6 +15,9 @@ namespace cloudgen::shape {
 /// ones, at 20 it is 1.5 (1.3 for 0.01), at most 2.
 float blendedWidening(float opticalDepth, float covering);
 
+/// Seen from straight above, what has more than this optical depth is covered.
+inline constexpr double kCoveringOpticalDepth = 0.1;
+
 /// `covering` of a puff among many, where nothing better is known.
 inline constexpr float kCoveringAmongMany = 0.015f;
 
@@ -22,13 +25,13 @@ inline constexpr float kCoveringAmongMany = 0.015f;
 /// are.
 Puff widenedAcross(Puff puff, float covering = kCoveringAmongMany);
 
-/// Ground that puffs cover with an optical depth of more than `threshold` straight down, m2: as they are; or
-/// as blobs that are blended, as wide as widenedAcross makes them.
-double coveredSquareMeters(std::span<const Puff> puffs, double threshold);
-double blendedSquareMeters(std::span<const Puff> puffs, double threshold, float covering);
+/// Ground that puffs cover, m2: as they are; or as blobs that are blended, as wide as widenedAcross makes
+/// them.
+double coveredSquareMeters(std::span<const Puff> puffs);
+double blendedSquareMeters(std::span<const Puff> puffs, float covering);
 
 /// The `covering` with which blended blobs of puffs cover together what the puffs do (between 0.001 and 0.3).
 /// It depends on how the flanks of the puffs lie over each other.
-float coveringOf(std::span<const Puff> puffs, double threshold);
+float coveringOf(std::span<const Puff> puffs);
 
 }  // namespace cloudgen::shape

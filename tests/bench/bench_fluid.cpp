@@ -10,32 +10,15 @@
 
 #include "base/random.hpp"
 #include "motion/fluid.hpp"
+#include "support/fluid_divergence.hpp"
 #include "support/plain_fluid.hpp"
+#include "support/quickest.hpp"
 
 namespace {
 
 using namespace cloudgen;
-
-/// The quickest of some runs: what disturbs a run only makes it slower.
-template <class Work>
-double quickest(int runs, Work&& work) {
-  double best = 1e30;
-  for (int i = 0; i < runs; ++i) {
-    const auto start = std::chrono::steady_clock::now();
-    work();
-    best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-  }
-  return best;
-}
-
-double greatestDivergence(const motion::Fluid& fluid) {
-  double greatest = 0;
-  for (int z = 0; z < fluid.cells().z; ++z)
-    for (int y = 0; y < fluid.cells().y; ++y)
-      for (int x = 0; x < fluid.cells().x; ++x)
-        greatest = std::max(greatest, std::abs(static_cast<double>(fluid.divergence(x, y, z))));
-  return greatest;
-}
+using test::greatestDivergence;
+using test::quickest;
 
 void benchGrid(const glm::ivec3& cells) {
   constexpr float kViscosity = 0.02f;

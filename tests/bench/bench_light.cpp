@@ -16,24 +16,14 @@
 #include "light/sweep.hpp"
 #include "light/transfer.hpp"
 #include "pipeline/pipeline.hpp"
+#include "support/quickest.hpp"
 #include "support/ray_march.hpp"
 #include "writer/catalogue.hpp"
 
 namespace {
 
 using namespace cloudgen;
-
-/// The quickest of some runs: what disturbs a run only makes it slower.
-template <class Work>
-double quickest(int runs, Work&& work) {
-  double best = 1e30;
-  for (int i = 0; i < runs; ++i) {
-    const auto start = std::chrono::steady_clock::now();
-    work();
-    best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-  }
-  return best;
-}
+using test::quickest;
 
 /// A box full of puffs, so that the grid has `cells` along each side.
 std::vector<shape::Puff> boxOfPuffs(int count, std::uint64_t seed) {

@@ -3,11 +3,11 @@
 // a sky: seconds of both (the least of three), their ratio, bytes a splat and the most memory the program ever held beyond the sky.
 #include <sys/resource.h>
 
-#include <chrono>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "base/file.hpp"
+#include "support/quickest.hpp"
 #include "support/gltf_scene.hpp"
 #include "support/scratch.hpp"
 #include "writer/gltf/gltf.hpp"
@@ -15,7 +15,6 @@
 namespace {
 
 using namespace cloudgen;
-using Clock = std::chrono::steady_clock;
 
 constexpr int kPuffsOfHeap = 500;
 
@@ -23,17 +22,6 @@ constexpr int kPuffsOfHeap = 500;
 scene::Scene skyOf(double millions) {
   const int rows = static_cast<int>(std::lround(std::sqrt(millions * 1e6 / kPuffsOfHeap)));
   return test::gltfScene(kPuffsOfHeap, rows, {0, 40, 10, 48});
-}
-
-template <class Work>
-double leastSeconds(Work work) {
-  double least = 1e30;
-  for (int i = 0; i < 3; ++i) {
-    const auto start = Clock::now();
-    work();
-    least = std::min(least, std::chrono::duration<double>(Clock::now() - start).count());
-  }
-  return least;
 }
 
 double megabytesHeld() {
@@ -46,10 +34,10 @@ void run(double millions) {
   const scene::Scene scene = skyOf(millions);
   const test::Scratch folder;
   const double before = megabytesHeld();
-  const double seconds = leastSeconds([&] { writer::writeSplats(scene, {folder.path(), {}}); });
+  const double seconds = test::quickest(3, [&] { writer::writeSplats(scene, {folder.path(), {}}); });
   const double held = megabytesHeld() - before;
   const std::string bytes = base::readFile(folder.path() / "scene.splats.glb");
-  const double plain = leastSeconds([&] { base::writeFile(folder.path() / "bytes", bytes); });
+  const double plain = test::quickest(3, [&] { base::writeFile(folder.path() / "bytes", bytes); });
   const auto splats = static_cast<double>(scene::drawnPuffs(scene));
   nlohmann::ordered_json line{{"case", "splats"},
                               {"splats", scene::drawnPuffs(scene)},

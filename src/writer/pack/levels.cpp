@@ -35,14 +35,17 @@ std::vector<Level> levelsOf(const scene::Archetype& archetype) {
   const auto add = [&](std::vector<shape::Puff> puffs) {
     if (puffs.empty() || puffs.size() >= levels.back().puffs.size()) return;
     const float error = std::max(errorOf(archetype.puffs, puffs), 1.01f * levels.back().errorMeters);
-    levels.push_back({puffs, light::averageResponse(archetype.puffs, archetype.response.puffs, puffs), error});
+    levels.push_back(
+        {puffs, light::averageResponse(archetype.puffs, archetype.response.puffs, puffs), error});
   };
   const std::size_t quarter = archetype.puffs.size() / 4;
   if (quarter > archetype.farPuffs.size()) add(shape::reduce(archetype.puffs, static_cast<int>(quarter)));
   add(archetype.farPuffs);
   add({archetype.onePuff});
-  for (Level& level : levels)
-    for (shape::Puff& puff : level.puffs) puff = shape::widenedAcross(puff, archetype.covering);
+  for (Level& level : levels) {
+    const float covering = &level == &levels.front() ? archetype.covering : shape::coveringOf(level.puffs);
+    for (shape::Puff& puff : level.puffs) puff = shape::widenedAcross(puff, covering);
+  }
   return levels;
 }
 

@@ -178,7 +178,7 @@ std::vector<LitPuff> puffsAt(const scene::Scene& scene, Clouds clouds, const Det
     }
     const auto& puffs = drawn == Drawn::FewPuffs ? archetype.farPuffs : archetype.puffs;
     const auto& lights = drawn == Drawn::FewPuffs ? lit.farPuffs : lit.puffs;
-    const float covering = drawn == Drawn::FewPuffs ? shape::kCoveringAmongMany : archetype.covering;
+    const float covering = drawn == Drawn::FewPuffs ? archetype.farCovering : archetype.covering;
     for (std::size_t p = 0; p < lights.size(); ++p)
       out.push_back({scene::placed(scene, instance, puffs[p]), lightOf(scene, instance, lights[p]),
                      archetype.genus, covering});

@@ -8,9 +8,12 @@
 
 #include "base/random.hpp"
 #include "base/thread.hpp"
+#include "support/fluid_divergence.hpp"
 
 namespace cloudgen::motion {
 namespace {
+
+using test::greatestDivergence;
 
 constexpr double kPi = std::numbers::pi;
 
@@ -26,15 +29,6 @@ Fluid restless(const glm::ivec3& cells, float cellMeters, double speed = 5) {
             velocity.at(x, y, z) = static_cast<float>(random.uniform(-speed, speed));
   }
   return fluid;
-}
-
-double greatestDivergence(const Fluid& fluid) {
-  double greatest = 0;
-  for (int z = 0; z < fluid.cells().z; ++z)
-    for (int y = 0; y < fluid.cells().y; ++y)
-      for (int x = 0; x < fluid.cells().x; ++x)
-        greatest = std::max(greatest, std::abs(static_cast<double>(fluid.divergence(x, y, z))));
-  return greatest;
 }
 
 double energy(const Fluid& fluid) {

@@ -50,20 +50,18 @@ std::vector<Puff> row(int count, float spacingMeters) {
 }
 
 TEST(CoveringOf, BlendedPuffsCoverTheGroundOfPuffsHoweverManyOverlap) {
-  constexpr double kThreshold = 0.1;
   for (const auto& puffs : {row(1, 0), row(3, 300), row(12, 100), row(30, 40)}) {
-    const float covering = coveringOf(puffs, kThreshold);
-    const double wanted = coveredSquareMeters(puffs, kThreshold);
-    EXPECT_NEAR(blendedSquareMeters(puffs, kThreshold, covering) / wanted, 1, 0.05) << puffs.size();
+    const float covering = coveringOf(puffs);
+    const double wanted = coveredSquareMeters(puffs);
+    EXPECT_NEAR(blendedSquareMeters(puffs, covering) / wanted, 1, 0.05) << puffs.size();
   }
 }
 
 TEST(CoveredSquareMeters, OfOnePuffIsItsEllipse) {
   const auto puffs = row(1, 0);
   const double opticalDepth = frontalOpticalDepth(puffs.front());
-  EXPECT_NEAR(
-      coveredSquareMeters(puffs, 0.1) / (std::numbers::pi * 300 * 300 * 2 * std::log(opticalDepth / 0.1)), 1,
-      0.05);
+  EXPECT_NEAR(coveredSquareMeters(puffs) / (std::numbers::pi * 300 * 300 * 2 * std::log(opticalDepth / 0.1)),
+              1, 0.05);
 }
 
 }  // namespace cloudgen::shape

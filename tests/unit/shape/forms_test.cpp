@@ -74,11 +74,13 @@ TEST(Forms, TheAnvilOverhangsDownwindAndThinsThere) {
   double upwind = 0, downwind = 0;
   for (const Puff& puff : cloud.puffs)
     if (puff.center.y > 0.8 * depth)
-      upwind = std::max<double>(upwind, column - puff.center.x), downwind = std::max<double>(downwind, puff.center.x - column);
+      upwind = std::max<double>(upwind, column - puff.center.x),
+      downwind = std::max<double>(downwind, puff.center.x - column);
   EXPECT_GT(downwind, 2.5 * upwind);
   const auto between = [&](double from, double to) {
     return share(cloud, [&](const Puff& puff) {
-      return puff.center.y > 0.6 * depth && puff.center.x - column > from * width && puff.center.x - column < to * width;
+      return puff.center.y > 0.6 * depth && puff.center.x - column > from * width &&
+             puff.center.x - column < to * width;
     });
   };
   EXPECT_GT(between(0.15, 0.3), 2 * between(0.45, 0.6));
@@ -106,17 +108,24 @@ TEST(Forms, NothingLargeIsRoundInCirrus) {
       }
 }
 
-TEST(Forms, StratocumulusHasLanes) {
-  const double width = 15000;
-  const CloudShape cloud = shaped(base::Genus::Stratocumulus, width, 700, 6000);
-  // Of small squares in the middle some are empty, most are not.
-  constexpr int kAcross = 40;
+constexpr int kAcross = 40;
+
+/// Puffs over each of 40 by 40 squares of the middle half of a cloud.
+std::vector<int> puffsOnSquares(const CloudShape& cloud, double width) {
   std::vector<int> puffs(kAcross * kAcross);
   for (const Puff& puff : cloud.puffs) {
     const int x = static_cast<int>((puff.center.x / width + 0.25) * 2 * kAcross),
               z = static_cast<int>((puff.center.z / width + 0.25) * 2 * kAcross);
     if (std::min(x, z) >= 0 && std::max(x, z) < kAcross) ++puffs[static_cast<std::size_t>(z * kAcross + x)];
   }
+  return puffs;
+}
+
+TEST(Forms, StratocumulusHasLanes) {
+  const double width = 15000;
+  const CloudShape cloud = shaped(base::Genus::Stratocumulus, width, 700, 6000);
+  // Of small squares in the middle some are empty, most are not.
+  const std::vector<int> puffs = puffsOnSquares(cloud, width);
   const double empty = static_cast<double>(std::count(puffs.begin(), puffs.end(), 0)) / (kAcross * kAcross);
   EXPECT_GT(empty, 0.05);
   EXPECT_LT(empty, 0.5);
@@ -129,13 +138,7 @@ TEST(Forms, CellsAreJoinedIntoRolls) {
   const auto crossings = [&](float rolls) {
     recipe.waves = rolls;
     const CloudShape cloud = generate(recipe, {width, 700, 20, 0, 6000, 5, 0});
-    constexpr int kAcross = 40;
-    std::vector<int> puffs(kAcross * kAcross);
-    for (const Puff& puff : cloud.puffs) {
-      const int x = static_cast<int>((puff.center.x / width + 0.25) * 2 * kAcross),
-                z = static_cast<int>((puff.center.z / width + 0.25) * 2 * kAcross);
-      if (std::min(x, z) >= 0 && std::max(x, z) < kAcross) ++puffs[static_cast<std::size_t>(z * kAcross + x)];
-    }
+    const std::vector<int> puffs = puffsOnSquares(cloud, width);
     // How often a border between cloud and none is crossed: along the rolls, and across.
     int along = 0, across = 0;
     for (int z = 0; z + 1 < kAcross; ++z)

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <glm/vec2.hpp>
+#include <vector>
+
+#include "shape/puff.hpp"
+
+namespace cloudgen::shape {
+
+/// A puff seen from straight above: a Gaussian in the plane, by its middle and its covariances.
+struct PlanGaussian {
+  double x = 0, z = 0, xx = 0, xz = 0, zz = 0;
+
+  double determinant() const { return xx * zz - xz * xz; }
+};
+
+/// Lengths are in units of so many metres.
+PlanGaussian planOf(const Puff& puff, double unitMeters = 1);
+
+/// Gaussians added up on a raster of as many columns as rows between two corners.
+class PlanRaster {
+ public:
+  PlanRaster(const glm::dvec2& lower, const glm::dvec2& upper, int pixels);
+
+  const glm::dvec2& pixel() const { return pixel_; }  ///< its sides
+  const std::vector<float>& values() const { return values_; }
+
+  /// Adds what `valueOf` makes of the Gaussian (1 in its middle), as far as 3.5 deviations.
+  template <class ValueOf>
+  void add(const PlanGaussian& plan, ValueOf valueOf) {
+    const double determinant = plan.determinant();
+    const Box box = boxOf(plan);
+    for (int row = box.top; row <= box.bottom; ++row)
+      for (int column = box.left; column <= box.right; ++column) {
+        const double dx = lower_.x + (column + 0.5) * pixel_.x - plan.x,
+                     dz = lower_.y + (row + 0.5) * pixel_.y - plan.z;
+        const double q = (plan.zz * dx * dx - 2 * plan.xz * dx * dz + plan.xx * dz * dz) / determinant;
+        values_[static_cast<std::size_t>(row * pixels_ + column)] +=
+            static_cast<float>(valueOf(std::exp(-0.5 * q)));
+      }
+  }
+
+ private:
+  struct Box {
+    int left = 0, right = 0, top = 0, bottom = 0;
+  };
+  Box boxOf(const PlanGaussian& plan) const;
+
+  glm::dvec2 lower_, pixel_;
+  int pixels_;
+  std::vector<float> values_;
+};
+
+}  // namespace cloudgen::shape
