@@ -28,9 +28,8 @@ ordered_json coversOf(const check::CoverScores& scores) {
 }
 
 ordered_json populatedOf(const Fidelity& fidelity) {
-  if (!fidelity.populatedCover) return nullptr;
-  ordered_json covers = coversOf(*fidelity.populatedCover);
-  covers["columns"] = fidelity.populatedCover->total.columns;
+  ordered_json covers = coversOf(fidelity.populatedCover);
+  covers["columns"] = fidelity.populatedCover.total.columns;
   return covers;
 }
 
@@ -122,11 +121,10 @@ std::string coverText(const Score& score) {
   return fmt::format("bias {:+.3f}   rmse {:.3f}", score.bias, score.rmse);
 }
 
-std::string populatedText(const std::optional<check::CoverScores>& scores) {
-  if (!scores) return "left out: the file does not name its clouds";
-  if (scores->total.columns == 0) return "no column has 100 clouds or a full sheet";
-  return fmt::format("{}   ({} columns of 100 clouds or a full sheet)", coverText(scores->total),
-                     scores->total.columns);
+std::string populatedText(const check::CoverScores& scores) {
+  if (scores.total.columns == 0) return "no column has 100 clouds or a full sheet";
+  return fmt::format("{}   ({} columns of 100 clouds or a full sheet)", coverText(scores.total),
+                     scores.total.columns);
 }
 
 std::string slantedText(const check::Slants& slants) {

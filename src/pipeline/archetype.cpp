@@ -131,6 +131,10 @@ ArchetypeKey keyOf(const field::Layer& layer, const field::Cloud& cloud, const O
   return key;
 }
 
+int opticalDepthClassOf(double opticalDepth) {
+  return 2 * classOf(std::max(0.02, opticalDepth), kOpticalDepthStep * kOpticalDepthStep);
+}
+
 double drawnWidthMeters(double depthMeters, double widthMeters) {
   return depthMeters / std::pow(kAspectStep, classOf(depthMeters / widthMeters, kAspectStep));
 }

@@ -32,6 +32,9 @@ ArchetypeKey shapeKeyOf(const field::Layer& layer, std::uint32_t ordinal, double
                         double widthMeters, const Options& options);
 ArchetypeKey keyOf(const field::Layer& layer, const field::Cloud& cloud, const Options& options);
 
+/// The class that stands for clouds of about an optical depth where its own is not known yet: every second.
+int opticalDepthClassOf(double opticalDepth);
+
 /// The width nearest to `widthMeters` that an archetype of this depth has: what is drawn.
 double drawnWidthMeters(double depthMeters, double widthMeters);
 

@@ -123,10 +123,14 @@ void Canvas::gatherLayers(std::span<const field::Layer> layers) {
     while (next != order.end() && layers[*next].cell < cell.cell) ++next;
     for (; next != order.end() && layers[*next].cell == cell.cell; ++next) {
       const field::Layer& layer = layers[*next];
-      layers_.push_back({*next, layer.lowerMeters, layer.upperMeters, layer.opticalDepth() >= kCovering});
+      layers_.push_back({.layer = *next,
+                         .baseMeters = layer.lowerMeters,
+                         .topMeters = layer.upperMeters,
+                         .covers = layer.opticalDepth() >= kCovering});
       ++cell.layerCount;
     }
     layers_.emplace_back();
+    divideHeights(cell);
     planes_ = std::max<std::size_t>(planes_, cell.layerCount + 1);
   }
 }
@@ -137,16 +141,35 @@ std::uint32_t Canvas::indexOf(std::uint32_t cell) const {
   return static_cast<std::uint32_t>(found - cells_.begin());
 }
 
-std::uint32_t Canvas::layerAt(const PaintedCell& cell, float baseMeters, float topMeters) const {
-  constexpr float kLeastShare = 0.5f;  // of a cloud's depth: less of it at a layer's height is no part of that
-  std::uint32_t best = cell.firstLayer + cell.layerCount;
-  float most = kLeastShare * (topMeters - baseMeters);
-  for (std::uint32_t i = cell.firstLayer; i < cell.firstLayer + cell.layerCount; ++i) {
-    const float overlap =
-        std::min(layers_[i].topMeters, topMeters) - std::max(layers_[i].baseMeters, baseMeters);
-    if (overlap > most) most = overlap, best = i;
+void Canvas::divideHeights(const PaintedCell& cell) {
+  constexpr float kDistanceMeters = 500;  // from the lowest and the highest layer to what is astray
+  const std::span<PaintedLayer> own(layers_.data() + cell.firstLayer, cell.layerCount);
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    own[i].zoneLowerMeters = i == 0 ? own[i].baseMeters - kDistanceMeters : own[i - 1].zoneUpperMeters;
+    own[i].zoneUpperMeters = i + 1 == own.size() ? own[i].topMeters + kDistanceMeters
+                                                 : 0.5f * (own[i].topMeters + own[i + 1].baseMeters);
   }
-  return best;
+}
+
+void Canvas::touch(std::uint32_t index, const Stamp& stamp, std::vector<Stroke::Touched>& touched) const {
+  constexpr float kLeastPart = 0.1f;  // of a cloud: less at a layer's heights is not told from the rest
+  const PaintedCell& cell = cells_[index];
+  const std::size_t first = touched.size();
+  const float depth = std::max(stamp.topMeters - stamp.baseMeters, 1.0f);
+  float astray = 1;
+  for (std::uint32_t i = cell.firstLayer; i < cell.firstLayer + cell.layerCount; ++i) {
+    const float part = (std::min(layers_[i].zoneUpperMeters, stamp.topMeters) -
+                        std::max(layers_[i].zoneLowerMeters, stamp.baseMeters)) /
+                       depth;
+    if (part < kLeastPart) continue;
+    touched.push_back({index, i, part, 0, 0, 0});
+    astray -= part;
+  }
+  if (astray >= kLeastPart || touched.size() == first)
+    touched.push_back({index, cell.firstLayer + cell.layerCount, astray, 0, 0, 0});
+  float whole = 0;
+  for (std::size_t i = first; i < touched.size(); ++i) whole += touched[i].share;
+  for (std::size_t i = first; i < touched.size(); ++i) touched[i].share /= whole;
 }
 
 void Canvas::sample(const Stamp& stamp) {
@@ -182,37 +205,44 @@ void Canvas::sample(const Stamp& stamp) {
 }
 
 void Canvas::brush(const Stamp& stamp, float sign, Stroke& stroke) {
+  stroke.genus = stamp.genus;
   stroke.dabs.clear();
   stroke.touched.clear();
   sample(stamp);
-  const double whole = sign * stamp.extinctionArea / pixelSquareMeters();
+  const double whole = sign * stamp.extinctionArea / pixelSquareMeters(),
+               drawn = stamp.footprint->drawnShare();
   std::int32_t lastCell = -1;
-  std::uint32_t touched = 0;
-  std::size_t plane = 0;
+  std::size_t first = 0;
   for (const auto& [pixel, share] : samples_) {
     const std::int32_t cell = cellOf_[pixel];
     if (cell < 0) continue;
-    const auto depth = static_cast<float>(whole * share);
+    const double depth = whole * share;
     if (depth == 0) continue;
+    const auto index = static_cast<std::uint32_t>(cell);
     if (cell != lastCell) {
       lastCell = cell;
-      const auto index = static_cast<std::uint32_t>(cell);
-      touched = touchedAs_[index];
-      if (touched >= stroke.touched.size() || stroke.touched[touched].cell != index) {
-        touched = touchedAs_[index] = static_cast<std::uint32_t>(stroke.touched.size());
-        stroke.touched.push_back({index, layerAt(cells_[index], stamp.baseMeters, stamp.topMeters), 0, 0, 0});
+      first = touchedAs_[index];
+      if (first >= stroke.touched.size() || stroke.touched[first].cell != index) {
+        first = touchedAs_[index] = static_cast<std::uint32_t>(stroke.touched.size());
+        touch(index, stamp, stroke.touched);
       }
-      plane = stroke.touched[touched].layer - cells_[index].firstLayer;
     }
-    Stroke::Touched& change = stroke.touched[touched];
-    const std::size_t value = plane * cellOf_.size() + pixel;
-    change.opticalDepth += depth;
-    const bool before = values_[value] > kCovering, after = values_[value] + depth > kCovering;
-    if (before != after) {
-      change.coveredChange += after ? 1 : -1;
-      if (coveringPlanes_[pixel] == (after ? 0 : 1)) change.coveredByAnyChange += after ? 1 : -1;
+    int planesChange = 0;
+    for (std::size_t i = first; i < stroke.touched.size() && stroke.touched[i].cell == index; ++i) {
+      Stroke::Touched& change = stroke.touched[i];
+      const std::size_t value = (change.layer - cells_[index].firstLayer) * cellOf_.size() + pixel;
+      change.opticalDepth += change.share * depth;
+      const auto dab = static_cast<float>(drawn * change.share * depth);
+      const bool before = values_[value] > kCovering, after = values_[value] + dab > kCovering;
+      if (before != after) {
+        change.coveredChange += after ? 1 : -1;
+        planesChange += after ? 1 : -1;
+      }
+      stroke.dabs.push_back({value, pixel, dab});
     }
-    stroke.dabs.push_back({value, pixel, touched, depth});
+    const int planes = coveringPlanes_[pixel];
+    if (planes == 0 && planesChange > 0) ++stroke.touched[first].coveredByAnyChange;
+    if (planes > 0 && planes + planesChange == 0) --stroke.touched[first].coveredByAnyChange;
   }
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/frame.hpp"
+#include "base/genus.hpp"
 #include "field/cloud_table.hpp"
 #include "field/grid.hpp"
 #include "pipeline/footprint.hpp"
@@ -18,6 +19,7 @@ using shape::kCoveringOpticalDepth;
 
 /// A cloud as it is painted.
 struct Stamp {
+  base::Genus genus = base::Genus::Cumulus;
   glm::dvec2 place{0};  ///< x and z of the scene
   double widthMeters = 0, depthMeters = 0, yawRadians = 0;
   double extinctionArea = 0;  ///< integral of extinction over space, m2
@@ -29,7 +31,8 @@ struct Stamp {
 struct PaintedLayer {
   std::uint32_t layer = 0;  ///< index in the table
   float baseMeters = 0, topMeters = 0;
-  bool covers = true;  ///< false for layers too thin to cover anything
+  float zoneLowerMeters = 0, zoneUpperMeters = 0;  ///< half-way to the layers below and above
+  bool covers = true;                              ///< false for layers too thin to cover anything
   double wantedCover = 0, wantedOpticalDepth = 0;
   int covered = 0;
   double opticalDepth = 0;
@@ -50,22 +53,24 @@ struct Stroke {
   struct Dab {
     std::size_t value;  ///< index of the value of a plane at a pixel
     std::uint32_t pixel;
-    std::uint32_t touched;
     float opticalDepth;
   };
-  struct Touched {
+  struct Touched {        ///< those of one cell one after the other
     std::uint32_t cell;   ///< index in Canvas::cells()
     std::uint32_t layer;  ///< index in Canvas::layers()
-    int coveredChange, coveredByAnyChange;
+    float share;          ///< of the stamp's optical depth
+    int coveredChange;
+    int coveredByAnyChange;  ///< of the cell; in its first
     double opticalDepth;
   };
+  base::Genus genus = base::Genus::Cumulus;  ///< of the stamp
   std::vector<Dab> dabs;
   std::vector<Touched> touched;
 };
 
 /// The whole scene seen from above on a raster: the optical depth of each layer of each cell, and what of it
-/// is covered. A cloud that reaches into the next cell counts there for the layer at its own height, or
-/// astray.
+/// is covered. A cloud that reaches into the next cell counts there for the layers at its own heights, or
+/// astray, each with the part of it that is there.
 class Canvas {
  public:
   /// `cells`: those of the box, ascending; `layers` of them. pixelMeters is made larger where the box would
@@ -90,7 +95,9 @@ class Canvas {
  private:
   void assignPixels(const field::Grid& grid, const base::LocalFrame& frame);
   void gatherLayers(std::span<const field::Layer> layers);
-  std::uint32_t layerAt(const PaintedCell& cell, float baseMeters, float topMeters) const;
+  void divideHeights(const PaintedCell& cell);
+  /// Adds what a stamp touches of a cell.
+  void touch(std::uint32_t cell, const Stamp& stamp, std::vector<Stroke::Touched>& touched) const;
 
   glm::dvec2 lower_{0};
   double pixelMeters_ = 1;

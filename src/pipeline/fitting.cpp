@@ -26,6 +26,8 @@ constexpr double kWeightOfAll = 0.5;
 /// errors of cells that all have one sign make a bias.
 constexpr double kWeightOfMean = 10;
 constexpr double kFullCover = 0.985, kNear = 0.01;
+/// Weight of a full sheet: a gap in it is seen sooner than one among many.
+constexpr double kWeightOfFull = 4;
 
 /// A candidate that stands.
 struct Taken {
@@ -121,14 +123,17 @@ class Fitting {
   Stamp stampOf(const field::Layer& layer, const Candidate& candidate, double share) {
     const shape::Recipe& recipe = context_.options.recipes.of(layer);
     Stamp stamp;
+    stamp.genus = layer.genus;
     stamp.place = candidate.scenePlace;
     stamp.depthMeters = depthAt(recipe, candidate, share);
     stamp.widthMeters = drawnWidthMeters(stamp.depthMeters, candidate.widthMeters * share);
     stamp.yawRadians = scene::yawRadians(candidate.yawStep);
     stamp.baseMeters = candidate.baseMeters;
     stamp.topMeters = candidate.baseMeters + static_cast<float>(stamp.depthMeters);
-    const ArchetypeKey key =
+    ArchetypeKey key =
         shapeKeyOf(layer, candidate.number, stamp.depthMeters, stamp.widthMeters, context_.options);
+    key.opticalDepthClass = opticalDepthClassOf(candidate.opticalDepth * coveredSquareMeters(recipe, 1) /
+                                                shape::footprintSquareMeters(1));
     stamp.footprint = &footprints_.of(key);
     const double squareMeters = stamp.widthMeters * stamp.widthMeters;
     const double covers = recipe.sheet
@@ -175,21 +180,27 @@ class Fitting {
       const PaintedCell& cell = canvas_.cells()[touched.cell];
       const PaintedLayer& layer = canvas_.layers()[touched.layer];
       const double wanted = wantedOfAll_[touched.cell];
-      double here = kWeightOfAll * (squared(cell.covered + touched.coveredByAnyChange - wanted) -
-                                    squared(cell.covered - wanted));
+      const auto weightOf = [&](double pixels) {
+        return pixels >= kFullCover * cell.pixels ? kWeightOfFull : 1;
+      };
+      double here =
+          kWeightOfAll * weightOf(wanted) *
+          (squared(cell.covered + touched.coveredByAnyChange - wanted) - squared(cell.covered - wanted));
       if (layer.covers)
-        here += squared(layer.covered + touched.coveredChange - layer.wantedCover) -
-                squared(layer.covered - layer.wantedCover);
+        here += weightOf(layer.wantedCover) *
+                (squared(layer.covered + touched.coveredChange - layer.wantedCover) -
+                 squared(layer.covered - layer.wantedCover));
       change += here / cell.pixels;
     }
     return change;
   }
 
-  Surplus changeOfSurplus(const Stroke& stroke) const {
+  /// What stands astray counts for the genus that it strays from.
+  static Surplus changeOfSurplus(const Stroke& stroke) {
     Surplus change;
     for (const Stroke::Touched& touched : stroke.touched) {
       change.ofAll += touched.coveredByAnyChange;
-      if (const auto genus = genusOf(touched.layer)) change.ofGenus[*genus] += touched.coveredChange;
+      change.ofGenus[static_cast<std::size_t>(stroke.genus)] += touched.coveredChange;
     }
     return change;
   }
@@ -200,13 +211,6 @@ class Fitting {
     for (std::size_t g = 0; g < change.ofGenus.size(); ++g)
       sum += squared(surplus_.ofGenus[g] + change.ofGenus[g]) - squared(surplus_.ofGenus[g]);
     return kWeightOfMean * sum / pixels_;
-  }
-
-  /// Of a painted layer that covers; none of what strays.
-  std::optional<std::size_t> genusOf(std::uint32_t painted) const {
-    const PaintedLayer& layer = canvas_.layers()[painted];
-    if (!layer.covers || !(layer.wantedCover > 0)) return std::nullopt;
-    return static_cast<std::size_t>(layers_[layer.layer].genus);
   }
 
   void paint() {
@@ -342,8 +346,18 @@ class Fitting {
   /// Draws each cloud wider or narrower with the water that it has, or gives it to the others of its layer,
   /// whatever takes the canvas nearer to what is wanted.
   void redraw(Filling& filling) {
-    if (canvas_.cells()[filling.cell].pixels == 0 || isFullSheet(filling) || isMatched(filling)) return;
-    for (std::size_t i = filling.taken.size(); i-- > 0;) redraw(filling, i);
+    if (canvas_.cells()[filling.cell].pixels == 0 || (isMatched(filling) && !isFullSheet(filling))) return;
+    // Within a full sheet narrower elements would be uneven: only those at its edge change.
+    for (std::size_t i = filling.taken.size(); i-- > 0;)
+      if (!isFullSheet(filling) || strays(filling.taken[i].stamp)) redraw(filling, i);
+  }
+
+  /// True if a stamp that is on the canvas covers something where there should be nothing.
+  bool strays(const Stamp& stamp) {
+    canvas_.brush(stamp, -1, stroke_);
+    return std::any_of(stroke_.touched.begin(), stroke_.touched.end(), [&](const Stroke::Touched& touched) {
+      return touched.coveredChange < 0 && canvas_.layers()[touched.layer].wantedCover == 0;
+    });
   }
 
   void addWhereCoverIsMissing(Filling& filling) {
@@ -475,8 +489,9 @@ class Fitting {
     canvas_.clear();
     surplus_ = {};
     for (std::size_t c = 0; c < canvas_.cells().size(); ++c) surplus_.ofAll -= wantedOfAll_[c];
-    for (std::uint32_t i = 0; i < canvas_.layers().size(); ++i)
-      if (const auto genus = genusOf(i)) surplus_.ofGenus[*genus] -= canvas_.layers()[i].wantedCover;
+    for (const PaintedLayer& layer : canvas_.layers())
+      if (layer.covers && layer.wantedCover > 0)
+        surplus_.ofGenus[static_cast<std::size_t>(layers_[layer.layer].genus)] -= layer.wantedCover;
     for (const Filling& filling : fillings_)
       for (const Taken& taken : filling.taken) {
         canvas_.brush(taken.stamp, 1, stroke_);

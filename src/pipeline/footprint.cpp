@@ -6,10 +6,22 @@
 #include <functional>
 #include <numbers>
 
+#include "shape/blending.hpp"
 #include "shape/plan.hpp"
 
 namespace cloudgen::pipeline {
-Footprint::Footprint(std::span<const shape::Puff> puffs, double widthMeters) {
+
+Footprint::Footprint(std::span<const shape::Puff> puffs, double widthMeters)
+    : Footprint(puffs, widthMeters, false) {}
+
+Footprint Footprint::asDrawn(std::span<const shape::Puff> puffs, double widthMeters) {
+  const float covering = shape::coveringOf(puffs);
+  std::vector<shape::Puff> widened;
+  for (const shape::Puff& puff : puffs) widened.push_back(shape::widenedAcross(puff, covering));
+  return {widened, widthMeters, true};
+}
+
+Footprint::Footprint(std::span<const shape::Puff> puffs, double widthMeters, bool blended) {
   const shape::Bounds bounds = shape::boundsOf(puffs, 3.5f);
   lower_ = glm::dvec2(bounds.lower.x, bounds.lower.z) / widthMeters;
   upper_ = glm::dvec2(bounds.upper.x, bounds.upper.z) / widthMeters;
@@ -28,13 +40,18 @@ Footprint::Footprint(std::span<const shape::Puff> puffs, double widthMeters) {
   for (const shape::Puff& puff : puffs) {
     shape::PlanGaussian plan = shape::planOf(puff, widthMeters);
     plan.xx += pixel.x * pixel.x / 12, plan.zz += pixel.y * pixel.y / 12;  // the mean over a pixel
+    // In widths, as the plan: the optical depth of all of the extinction over the square of the width.
     const double peak =
         shape::extinctionArea(puff) / total / (2 * std::numbers::pi * std::sqrt(plan.determinant()));
-    raster.add(plan, [peak](double gaussian) { return peak * gaussian; });
+    if (blended)
+      raster.add(plan, shape::BlendedProfile(peak * total / (widthMeters * widthMeters)));
+    else
+      raster.add(plan, [peak](double gaussian) { return peak * gaussian; });
   }
   values_ = raster.values();
   double painted = 0;
   for (const float value : values_) painted += value * pixel.x * pixel.y;
+  if (blended) drawnShare_ = painted * widthMeters * widthMeters / total;
   for (float& value : values_) value = static_cast<float>(value / painted);
   waterOfBrightest_ = values_;
   std::sort(waterOfBrightest_.begin(), waterOfBrightest_.end(), std::greater<>());
@@ -49,7 +66,7 @@ double Footprint::coveredAlone(double opticalDepth, double threshold) const {
   const double pixel = (upper_.x - lower_.x) * (upper_.y - lower_.y) / static_cast<double>(values_.size());
   // The n brightest pixels are covered if the n-th is above the threshold with the water that n pixels have:
   // the greatest such n.
-  const double least = threshold / (opticalDepth * pixel);
+  const double least = threshold / (opticalDepth * drawnShare_ * pixel);
   const auto end = std::partition_point(waterOfBrightest_.begin(), waterOfBrightest_.end(),
                                         [&](float water) { return water > least; });
   return std::max<double>(1, static_cast<double>(end - waterOfBrightest_.begin())) * pixel;
@@ -63,7 +80,7 @@ const Footprint& FootprintBook::of(const ArchetypeKey& key) {
   }
   std::call_once(entry->once, [&] {
     const ArchetypeShape made = shapeOf(key, options_, general_);
-    entry->footprint = std::make_unique<Footprint>(made.cloud.puffs, made.widthMeters);
+    entry->footprint = std::make_unique<Footprint>(Footprint::asDrawn(made.cloud.puffs, made.widthMeters));
   });
   return *entry->footprint;
 }

@@ -16,7 +16,13 @@ namespace cloudgen::pipeline {
 /// same extinction would give spread over the square of its width. Lengths are in widths, from its origin.
 class Footprint {
  public:
+  /// Of puffs as they are.
   Footprint(std::span<const shape::Puff> puffs, double widthMeters);
+  /// Of the blobs that viewers blend for them: their flanks, which fill the gaps between clouds, are softer.
+  static Footprint asDrawn(std::span<const shape::Puff> puffs, double widthMeters);
+
+  /// Optical depth that is drawn for one that is there: what opacity leaves of dense puffs.
+  double drawnShare() const { return drawnShare_; }
   /// Between pixels linear; 0 beyond the puffs' reach.
   float at(double x, double z) const {
     const double column = (x - lower_.x) * perWidth_.x - 0.5, row = (z - lower_.y) * perWidth_.y - 0.5;
@@ -37,7 +43,10 @@ class Footprint {
   double coveredAlone(double opticalDepth, double threshold) const;
 
  private:
+  Footprint(std::span<const shape::Puff> puffs, double widthMeters, bool blended);
+
   glm::dvec2 lower_{0}, upper_{0};
+  double drawnShare_ = 1;
   glm::dvec2 perWidth_{1};  ///< pixels
   double reach_ = 0;
   int pixels_ = 1;  ///< along each side

@@ -63,15 +63,10 @@ double coveredSquareMeters(std::span<const Puff> puffs) {
 }
 
 double blendedSquareMeters(std::span<const Puff> puffs, float covering) {
-  constexpr float kMostOpaque = 1 - 0x1p-20f;
   std::vector<Puff> widened;
   for (const Puff& puff : puffs) widened.push_back(widenedAcross(puff, covering));
   PlanRaster raster = rasterAround(widened);
-  for (const Puff& puff : widened) {
-    const float opacity = std::min(kMostOpaque, -std::expm1(-frontalOpticalDepth(puff)));
-    raster.add(planOf(puff),
-               [opacity](double gaussian) { return -std::log1p(-opacity * static_cast<float>(gaussian)); });
-  }
+  for (const Puff& puff : widened) raster.add(planOf(puff), BlendedProfile(frontalOpticalDepth(puff)));
   return covered(raster);
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <span>
 
 #include "shape/puff.hpp"
@@ -20,6 +22,17 @@ inline constexpr double kCoveringOpticalDepth = 0.1;
 
 /// `covering` of a puff among many, where nothing better is known.
 inline constexpr float kCoveringAmongMany = 0.015f;
+
+/// Optical depth of a blended blob at so much of its Gaussian (1 in its middle).
+class BlendedProfile {
+ public:
+  explicit BlendedProfile(double opticalDepth)
+      : opacity_(std::min(1 - 0x1p-20f, -std::expm1(-static_cast<float>(opticalDepth)))) {}
+  float operator()(double gaussian) const { return -std::log1p(-opacity_ * static_cast<float>(gaussian)); }
+
+ private:
+  float opacity_;
+};
 
 /// A puff among others as wide as a blended blob of it must be, across alone: base and top stay where they
 /// are.

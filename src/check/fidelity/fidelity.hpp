@@ -37,8 +37,8 @@ struct CoverScores {
   std::array<Score, kRanges> in;
 };
 
-/// A column is populated when so many clouds stand in it, or when its cover is that of a full sheet: what is
-/// left to chance in it is small.
+/// A column is populated when the file names so many clouds that stand in it, or when its cover is that of a
+/// full sheet: what is left to chance in it is small.
 inline constexpr std::size_t kPopulatedClouds = 100;
 inline constexpr double kFullSheet = 0.985;
 
@@ -63,7 +63,8 @@ struct ComparedColumn {
   ColumnView scene;
   std::size_t clouds = 0;  ///< that the scene names and whose foot stands in it
 
-  bool isPopulated() const { return clouds >= kPopulatedClouds || model.view.cover >= kFullSheet; }
+  /// In a range, or in all together, by the model's cover there.
+  bool isPopulated(double modelCover) const { return clouds >= kPopulatedClouds || modelCover >= kFullSheet; }
 };
 
 /// A column that is further off than the others.
@@ -89,8 +90,7 @@ struct Fidelity {
   int raysAcross = 0;  ///< a column is looked at by the square of it, less where it leaves the box
   std::vector<ComparedColumn> columns;
   CoverScores cover;
-  /// Over the populated columns; nothing where the file does not name its clouds.
-  std::optional<CoverScores> populatedCover;
+  CoverScores populatedCover;  ///< over the populated columns
   Score base, top;
   OpticalDepthScore opticalDepth;
   GenusScore genus;

@@ -186,14 +186,14 @@ class CloudWalk {
 
   /// The puffs of a shaded archetype, turned by its yaw.
   std::vector<LitPuff> turned(const Shaded& shaded, std::span<const shape::Puff> puffs,
-                              std::span<const light::PuffLight> lights) const {
+                              std::span<const light::PuffLight> lights, float covering) const {
     const glm::quat turn =
         glm::angleAxis(scene::yawRadians(scene_.lit[shaded.lit].yawStep), glm::vec3(0, 1, 0));
     const glm::vec3 dimming =
         light::dimming(1 - static_cast<float>(shaded.shade) / (kShades - 1), scene_.sun.color, scene_.sky);
     std::vector<LitPuff> out;
     for (size_t i = 0; i < puffs.size(); ++i) {
-      LitPuff one{puffs[i], dimming * (i < lights.size() ? lights[i].color : glm::vec3(1))};
+      LitPuff one{puffs[i], dimming * (i < lights.size() ? lights[i].color : glm::vec3(1)), covering};
       one.puff.center = turn * one.puff.center;
       one.puff.rotation = turn * one.puff.rotation;
       out.push_back(one);
@@ -233,12 +233,13 @@ class CloudWalk {
     const scene::LitArchetype& lit = scene_.lit[shaded.lit];
     const scene::Archetype& archetype = scene_.archetypes[lit.archetype];
     if (detail == Detail::Full)
-      parts(archetype.genus, turned(shaded, archetype.puffs, lit.puffs), archetype.sectionStart,
-            kMostClusters, def);
+      parts(archetype.genus, turned(shaded, archetype.puffs, lit.puffs, archetype.covering),
+            archetype.sectionStart, kMostClusters, def);
     else if (archetype.farPuffs.empty())
-      parts(archetype.genus, turned(shaded, archetype.puffs, lit.puffs), {}, 1, def);
+      parts(archetype.genus, turned(shaded, archetype.puffs, lit.puffs, archetype.covering), {}, 1, def);
     else
-      parts(archetype.genus, turned(shaded, archetype.farPuffs, lit.farPuffs), {}, 1, def);
+      parts(archetype.genus, turned(shaded, archetype.farPuffs, lit.farPuffs, archetype.farCovering), {}, 1,
+            def);
   }
 
   void parts(base::Genus genus, const std::vector<LitPuff>& puffs, std::span<const std::uint32_t> sections,
@@ -319,7 +320,9 @@ class CloudWalk {
       const glm::vec3 dimming = light::dimming(instance.sunlight, scene_.sun.color, scene_.sky);
       std::vector<LitPuff> placed;
       for (size_t p = 0; p < source.size(); ++p)
-        placed.push_back({scene::placed(scene_, instance, source[p]), dimming * lights[p].color});
+        placed.push_back(
+            {scene::placed(scene_, instance, source[p]), dimming * lights[p].color,
+             inParts ? archetype.farCovering : static_cast<float>(shape::kCoveringOpticalDepth)});
       auto& all = puffs[archetype.genus];
       // From afar nobody tells how dense a cloud is, or where within it: one quad less to blend.
       if (range == Range::Far) {

@@ -9,7 +9,6 @@
 #include <numeric>
 
 #include "light/color.hpp"
-#include "shape/blending.hpp"
 
 namespace cloudgen::writer {
 namespace {
@@ -25,9 +24,8 @@ constexpr float kWithinBorder = 0.9451f;
 constexpr float kUprightShare = 0.7f;
 
 /// How much wider than its puff a quad is.
-float wideningOf(float opticalDepth) {
-  constexpr float kCovering = 0.07f;  // few overlap
-  return std::max(kWidening, shape::blendedWidening(opticalDepth, kCovering));
+float wideningOf(float opticalDepth, float covering) {
+  return std::max(kWidening, shape::blendedWidening(opticalDepth, covering));
 }
 
 /// Of a quad that is so much wider than a puff of an optical depth through its centre.
@@ -89,7 +87,7 @@ QuadMesh facingQuads(const std::vector<LitPuff>& puffs, const glm::vec3& origin,
     // The quad turns: it shows the same from all sides, and from all sides all of the puff.
     const double area = 2 * std::numbers::pi * glm::length(axes[0]) * glm::length(axes[1]);
     const auto opticalDepth = static_cast<float>(shape::extinctionArea(puff) / std::max(area, 1e-6));
-    const float widening = wideningOf(opticalDepth), reach = widening * kSpriteReach;
+    const float widening = wideningOf(opticalDepth, puffs[i].covering), reach = widening * kSpriteReach;
     const float drawnDepth = opticalDepthOfQuad(opticalDepth, widening);
     const glm::vec4 color = colorOf(puffs[i], drawnDepth);
     if (color.a < kFaintest) continue;
@@ -115,7 +113,7 @@ QuadMesh crossedQuads(const std::vector<LitPuff>& puffs, const glm::vec3& origin
       const bool upright = std::abs(axes[i].y) < 0.5f;
       if (lit.planes == (upright ? Planes::Level : Planes::Upright)) continue;
       const float opticalDepth = shape::centralOpticalDepth(lit.puff.extinctionPerMeter, s[i]);
-      const float widening = wideningOf(opticalDepth), reach = widening * kSpriteReach;
+      const float widening = wideningOf(opticalDepth, lit.covering), reach = widening * kSpriteReach;
       const float drawnDepth = opticalDepthOfQuad(opticalDepth, widening);
       glm::vec4 color = colorOf(lit, drawnDepth);
       if (upright) color.a *= kUprightShare;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "image/sprite_atlas.hpp"
+#include "shape/blending.hpp"
 #include "shape/puff.hpp"
 
 namespace cloudgen::writer {
@@ -32,6 +33,7 @@ enum class Planes : unsigned char { All, Level, Upright };
 struct LitPuff {
   shape::Puff puff;
   glm::vec3 color{1};
+  float covering = shape::kCoveringAmongMany;  ///< as a blended blob: shape::blendedWidening
   Planes planes = Planes::All;
 };
 

@@ -41,7 +41,7 @@ TEST_P(Tampering, TheSkyItselfPasses) {
   const Fidelity told = verified();
   for (const Breach& breach : told.breaches) ADD_FAILURE() << breach.measure << " " << breach.value;
   EXPECT_EQ(told.genus.clouds, sky.scene.clouds.size());
-  EXPECT_EQ(told.populatedCover->total.columns, 24u);
+  EXPECT_EQ(told.populatedCover.total.columns, 24u);
 }
 
 TEST_P(Tampering, ATenthOfTheCloudsRemoved) {
