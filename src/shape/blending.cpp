@@ -71,13 +71,8 @@ double blendedSquareMeters(std::span<const Puff> puffs, float covering) {
 }
 
 float coveringOf(std::span<const Puff> puffs) {
-  const double wanted = coveredSquareMeters(puffs);
-  float low = 0.001f, high = 0.3f;
-  for (int pass = 0; pass < 5; ++pass) {
-    const float middle = std::sqrt(low * high);
-    (blendedSquareMeters(puffs, middle) > wanted ? high : low) = middle;
-  }
-  return std::sqrt(low * high);
+  return coveringThat(coveredSquareMeters(puffs),
+                      [&](float covering) { return blendedSquareMeters(puffs, covering); });
 }
 
 }  // namespace cloudgen::shape

@@ -43,6 +43,18 @@ Puff widenedAcross(Puff puff, float covering = kCoveringAmongMany);
 double coveredSquareMeters(std::span<const Puff> puffs);
 double blendedSquareMeters(std::span<const Puff> puffs, float covering);
 
+/// The `covering` (between 0.001 and 0.3) with which what is drawn covers `wanted` square metres, where
+/// `coveredWith(covering)` are those that it covers, the more the more `covering` is.
+template <class CoveredWith>
+float coveringThat(double wanted, CoveredWith coveredWith) {
+  float least = 0.001f, most = 0.3f;
+  for (int pass = 0; pass < 5; ++pass) {
+    const float middle = std::sqrt(least * most);
+    (coveredWith(middle) > wanted ? most : least) = middle;
+  }
+  return std::sqrt(least * most);
+}
+
 /// The `covering` with which blended blobs of puffs cover together what the puffs do (between 0.001 and 0.3).
 /// It depends on how the flanks of the puffs lie over each other.
 float coveringOf(std::span<const Puff> puffs);

@@ -12,6 +12,7 @@
 #include "light/shade.hpp"
 #include "shape/heights.hpp"
 #include "writer/x3d/clusters.hpp"
+#include "writer/x3d/plan_of_quads.hpp"
 
 namespace cloudgen::writer {
 namespace {
@@ -90,11 +91,12 @@ class CloudWalk {
     detail_.assign(scene_.instances.size(), Detail::Full);
     std::vector<std::uint32_t> order(scene_.instances.size());
     std::iota(order.begin(), order.end(), 0u);
+    const auto width = [&](std::uint32_t i) {
+      return scene_.instances[i].scale * archetypeOf(scene_.instances[i]).widthMeters;
+    };
+    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return width(a) > width(b); });
+    chooseParted(order);
     if (!vrml97()) {
-      const auto width = [&](std::uint32_t i) {
-        return scene_.instances[i].scale * archetypeOf(scene_.instances[i]).widthMeters;
-      };
-      std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return width(a) > width(b); });
       for (size_t i = kMostCloudNodes; i < order.size(); ++i) detail_[order[i]] = Detail::Cards;
       return;
     }
@@ -104,6 +106,17 @@ class CloudWalk {
     std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return distance(a) < distance(b); });
     for (size_t i = kVrml97Full; i < order.size(); ++i)
       detail_[order[i]] = i < kVrml97Simple ? Detail::Simple : Detail::Cards;
+  }
+
+  /// As cards the widest clouds are a handful of puffs, the others one: kFarPuffs together.
+  void chooseParted(std::span<const std::uint32_t> widestFirst) {
+    isParted_.assign(scene_.instances.size(), false);
+    std::size_t puffs = scene_.instances.size();
+    for (const std::uint32_t i : widestFirst) {
+      puffs += std::max<std::size_t>(archetypeOf(scene_.instances[i]).farPuffs.size(), 1) - 1;
+      if (puffs > kFarPuffs) break;
+      isParted_[i] = true;
+    }
   }
 
   /// Distance within which about so many clouds stand, were they spread evenly.
@@ -186,14 +199,14 @@ class CloudWalk {
 
   /// The puffs of a shaded archetype, turned by its yaw.
   std::vector<LitPuff> turned(const Shaded& shaded, std::span<const shape::Puff> puffs,
-                              std::span<const light::PuffLight> lights, float covering) const {
+                              std::span<const light::PuffLight> lights) const {
     const glm::quat turn =
         glm::angleAxis(scene::yawRadians(scene_.lit[shaded.lit].yawStep), glm::vec3(0, 1, 0));
     const glm::vec3 dimming =
         light::dimming(1 - static_cast<float>(shaded.shade) / (kShades - 1), scene_.sun.color, scene_.sky);
     std::vector<LitPuff> out;
     for (size_t i = 0; i < puffs.size(); ++i) {
-      LitPuff one{puffs[i], dimming * (i < lights.size() ? lights[i].color : glm::vec3(1)), covering};
+      LitPuff one{puffs[i], dimming * (i < lights.size() ? lights[i].color : glm::vec3(1))};
       one.puff.center = turn * one.puff.center;
       one.puff.rotation = turn * one.puff.rotation;
       out.push_back(one);
@@ -233,37 +246,71 @@ class CloudWalk {
     const scene::LitArchetype& lit = scene_.lit[shaded.lit];
     const scene::Archetype& archetype = scene_.archetypes[lit.archetype];
     if (detail == Detail::Full)
-      parts(archetype.genus, turned(shaded, archetype.puffs, lit.puffs, archetype.covering),
-            archetype.sectionStart, kMostClusters, def);
+      parts(archetype.genus, turned(shaded, archetype.puffs, lit.puffs), archetype.sectionStart,
+            kMostClusters, def);
     else if (archetype.farPuffs.empty())
-      parts(archetype.genus, turned(shaded, archetype.puffs, lit.puffs, archetype.covering), {}, 1, def);
+      parts(archetype.genus, turned(shaded, archetype.puffs, lit.puffs), {}, 1, def);
     else
-      parts(archetype.genus, turned(shaded, archetype.farPuffs, lit.farPuffs, archetype.farCovering), {}, 1,
-            def);
+      parts(archetype.genus, turned(shaded, archetype.farPuffs, lit.farPuffs), {}, 1, def);
+  }
+
+  /// A part of a cloud: its quads, about a Billboard's origin where it turns.
+  struct Drawn {
+    Cluster cluster;
+    std::vector<LitPuff> members;
+  };
+
+  QuadMesh quadsOf(base::Genus genus, const Drawn& drawn) const {
+    return drawn.cluster.turns ? facingQuads(drawn.members, drawn.cluster.center, shapes_.atlas(genus))
+                               : crossedQuads(drawn.members, glm::vec3(0), shapes_.atlas(genus));
   }
 
   void parts(base::Genus genus, const std::vector<LitPuff>& puffs, std::span<const std::uint32_t> sections,
              std::size_t most, const std::string& def) {
     std::vector<shape::Puff> bare;
     for (const LitPuff& lit : puffs) bare.push_back(lit.puff);
+    std::vector<Drawn> all;
+    for (Cluster& cluster : clustersOf(bare, sections, most)) {
+      Drawn drawn{std::move(cluster), {}};
+      for (const std::uint32_t i : drawn.cluster.puffs) drawn.members.push_back(puffs[i]);
+      if (!drawn.cluster.turns) spreadAsFlat(drawn.members);
+      all.push_back(std::move(drawn));
+    }
+    coverAsPuffs(genus, bare, all);
     nodes_.open("Group", "children", def);
-    for (const Cluster& cluster : clustersOf(bare, sections, most)) {
-      std::vector<LitPuff> members;
-      for (const std::uint32_t i : cluster.puffs) members.push_back(puffs[i]);
-      if (!cluster.turns) {
-        spreadAsFlat(members);
-        shapes_.write(genus, crossedQuads(members, glm::vec3(0), shapes_.atlas(genus)));
+    for (const Drawn& drawn : all) {
+      if (!drawn.cluster.turns) {
+        shapes_.write(genus, quadsOf(genus, drawn));
         continue;
       }
       nodes_.open("Transform");
-      nodes_.vector("translation", cluster.center, 1);
+      nodes_.vector("translation", drawn.cluster.center, 1);
       nodes_.open("Billboard");
       nodes_.vector("axisOfRotation", glm::vec3(0), 0);
-      shapes_.write(genus, facingQuads(members, cluster.center, shapes_.atlas(genus)));
+      shapes_.write(genus, quadsOf(genus, drawn));
       nodes_.close();
       nodes_.close();
     }
     nodes_.close();
+  }
+
+  /// What turns to the viewer shows its side from above, too, which is less than its plan where it is flat:
+  /// quads are so wide that from above they cover together what the puffs do.
+  void coverAsPuffs(base::Genus genus, std::span<const shape::Puff> puffs, std::vector<Drawn>& all) const {
+    const double wanted = shape::coveredSquareMeters(puffs);
+    const float covering = shape::coveringThat(wanted, [&](float tried) {
+      PlanOfQuads plan(puffs);
+      for (Drawn& drawn : all) {
+        for (LitPuff& lit : drawn.members) lit.covering = tried;
+        if (drawn.cluster.turns)
+          plan.addTurning(quadsOf(genus, drawn), drawn.cluster.center);
+        else
+          plan.add(quadsOf(genus, drawn));
+      }
+      return plan.coveredSquareMeters();
+    });
+    for (Drawn& drawn : all)
+      for (LitPuff& lit : drawn.members) lit.covering = covering;
   }
 
   /// Quads have no thickness: they stand further apart, so that they begin and end where the puffs do.
@@ -301,18 +348,19 @@ class CloudWalk {
           whole.puff.rotation * glm::vec3(0, reach * (2.0f * static_cast<float>(i) / (levels - 1) - 1), 0);
       level.puff.sigma.y *= kThin;
       level.puff.extinctionPerMeter /= kThin * static_cast<float>(levels);
+      level.covering /= static_cast<float>(levels);  // of all of them together
       out.push_back(level);
     }
   }
 
   /// Clouds as crossed cards, one Shape a genus, in the scene frame.
   void cards(std::span<const std::uint32_t> instances, Range range) {
-    const bool inParts = 5 * scene_.instances.size() <= kFarPuffs;
     std::map<base::Genus, std::vector<LitPuff>> puffs;
     for (const std::uint32_t i : instances) {
       const scene::Instance& instance = scene_.instances[i];
       const scene::LitArchetype& lit = scene_.lit[instance.lit];
       const scene::Archetype& archetype = archetypeOf(instance);
+      const bool inParts = isParted_[i];
       const std::span<const shape::Puff> source =
           inParts ? std::span(archetype.farPuffs) : std::span(&archetype.onePuff, 1);
       const std::span<const light::PuffLight> lights =
@@ -344,6 +392,7 @@ class CloudWalk {
   const scene::Scene& scene_;
   const Stage& stage_;
   std::vector<Detail> detail_;
+  std::vector<bool> isParted_;
   std::vector<bool> defined_, simpleDefined_;
 };
 

@@ -13,7 +13,6 @@
 namespace cloudgen::writer {
 namespace {
 
-constexpr float kSpriteReach = 2.2f;  ///< half-side of a sprite, in its standard deviations
 /// Quads are wider than their puffs, or what a sprite's border cuts off would be missing from the cover.
 constexpr float kWidening = 1.12f;
 constexpr float kFaintest = 0.005f;     ///< opacity below which a quad is left out
