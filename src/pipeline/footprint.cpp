@@ -54,7 +54,10 @@ Footprint::Footprint(std::span<const shape::Puff> puffs, double widthMeters, boo
   if (blended) drawnShare_ = painted * widthMeters * widthMeters / total;
   for (float& value : values_) value = static_cast<float>(value / painted);
   waterOfBrightest_ = values_;
-  std::sort(waterOfBrightest_.begin(), waterOfBrightest_.end(), std::greater<>());
+  // Most are 0 already, and last.
+  const auto some = std::partition(waterOfBrightest_.begin(), waterOfBrightest_.end(),
+                                   [](float value) { return value != 0; });
+  std::sort(waterOfBrightest_.begin(), some, std::greater<>());
   float most = 0;
   for (std::size_t n = waterOfBrightest_.size(); n > 0; --n) {
     most = std::max(most, static_cast<float>(n) * waterOfBrightest_[n - 1]);

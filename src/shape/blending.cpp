@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -44,30 +45,43 @@ PlanRaster rasterAround(std::span<const Puff> puffs) {
   return {{bounds.lower.x, bounds.lower.z}, {bounds.upper.x, bounds.upper.z}, kPixels};
 }
 
-double covered(const PlanRaster& raster) {
-  const auto over =
-      std::ranges::count_if(raster.values(), [](float depth) { return depth > kCoveringOpticalDepth; });
-  return static_cast<double>(over) * raster.pixel().x * raster.pixel().y;
+double squareMeters(const PlanRaster& raster, std::size_t pixels) {
+  return static_cast<double>(pixels) * raster.pixel().x * raster.pixel().y;
+}
+
+/// As blendedSquareMeters(), but counts no further than it has more than `enough`.
+double blendedUpTo(double enough, std::span<const Puff> puffs, float covering) {
+  constexpr float kMostOpaque = 1 - 0x1p-20f;
+  std::vector<Puff> widened;
+  for (const Puff& puff : puffs) widened.push_back(widenedAcross(puff, covering));
+  PlanRaster raster = rasterAround(widened);
+  std::size_t covered = 0;
+  for (const Puff& puff : widened) {
+    if (squareMeters(raster, covered) > enough) break;
+    const float opacity = std::min(kMostOpaque, -std::expm1(-frontalOpticalDepth(puff)));
+    covered += raster.addUpTo(kCoveringOpticalDepth, planOf(puff), [opacity](double gaussian) {
+      return -std::log1p(-opacity * static_cast<float>(gaussian));
+    });
+  }
+  return squareMeters(raster, covered);
 }
 
 }  // namespace
 
 double coveredSquareMeters(std::span<const Puff> puffs) {
   PlanRaster raster = rasterAround(puffs);
+  std::size_t covered = 0;
   for (const Puff& puff : puffs) {
     const PlanGaussian plan = planOf(puff);
     const double middle = extinctionArea(puff) / (2 * std::numbers::pi * std::sqrt(plan.determinant()));
-    raster.add(plan, [middle](double gaussian) { return middle * gaussian; });
+    covered +=
+        raster.addUpTo(kCoveringOpticalDepth, plan, [middle](double gaussian) { return middle * gaussian; });
   }
-  return covered(raster);
+  return squareMeters(raster, covered);
 }
 
 double blendedSquareMeters(std::span<const Puff> puffs, float covering) {
-  std::vector<Puff> widened;
-  for (const Puff& puff : puffs) widened.push_back(widenedAcross(puff, covering));
-  PlanRaster raster = rasterAround(widened);
-  for (const Puff& puff : widened) raster.add(planOf(puff), BlendedProfile(frontalOpticalDepth(puff)));
-  return covered(raster);
+  return blendedUpTo(std::numeric_limits<double>::infinity(), puffs, covering);
 }
 
 float coveringOf(std::span<const Puff> puffs) {
@@ -75,7 +89,7 @@ float coveringOf(std::span<const Puff> puffs) {
   float low = 0.001f, high = 0.3f;
   for (int pass = 0; pass < 5; ++pass) {
     const float middle = std::sqrt(low * high);
-    (blendedSquareMeters(puffs, middle) > wanted ? high : low) = middle;
+    (blendedUpTo(wanted, puffs, middle) > wanted ? high : low) = middle;
   }
   return std::sqrt(low * high);
 }

@@ -30,16 +30,20 @@ class PlanRaster {
   /// Adds what `valueOf` makes of the Gaussian (1 in its middle), as far as 3.5 deviations.
   template <class ValueOf>
   void add(const PlanGaussian& plan, ValueOf valueOf) {
-    const double determinant = plan.determinant();
-    const Box box = boxOf(plan);
-    for (int row = box.top; row <= box.bottom; ++row)
-      for (int column = box.left; column <= box.right; ++column) {
-        const double dx = lower_.x + (column + 0.5) * pixel_.x - plan.x,
-                     dz = lower_.y + (row + 0.5) * pixel_.y - plan.z;
-        const double q = (plan.zz * dx * dx - 2 * plan.xz * dx * dz + plan.xx * dz * dz) / determinant;
-        values_[static_cast<std::size_t>(row * pixels_ + column)] +=
-            static_cast<float>(valueOf(std::exp(-0.5 * q)));
-      }
+    visit(plan, [&](float& value, double q) { value += static_cast<float>(valueOf(std::exp(-0.5 * q))); });
+  }
+
+  /// As add() of what is not negative, but pixels that have more than `enough` are left as they are.
+  /// Returns how many came to have more.
+  template <class ValueOf>
+  std::size_t addUpTo(double enough, const PlanGaussian& plan, ValueOf valueOf) {
+    std::size_t full = 0;
+    visit(plan, [&](float& value, double q) {
+      if (value > enough) return;
+      value += static_cast<float>(valueOf(std::exp(-0.5 * q)));
+      full += value > enough;
+    });
+    return full;
   }
 
  private:
@@ -47,6 +51,20 @@ class PlanRaster {
     int left = 0, right = 0, top = 0, bottom = 0;
   };
   Box boxOf(const PlanGaussian& plan) const;
+
+  /// `does(value, q)` at each pixel within reach; the Gaussian is exp(-q / 2) there.
+  template <class Does>
+  void visit(const PlanGaussian& plan, Does does) {
+    const double determinant = plan.determinant();
+    const Box box = boxOf(plan);
+    for (int row = box.top; row <= box.bottom; ++row)
+      for (int column = box.left; column <= box.right; ++column) {
+        const double dx = lower_.x + (column + 0.5) * pixel_.x - plan.x,
+                     dz = lower_.y + (row + 0.5) * pixel_.y - plan.z;
+        does(values_[static_cast<std::size_t>(row * pixels_ + column)],
+             (plan.zz * dx * dx - 2 * plan.xz * dx * dz + plan.xx * dz * dz) / determinant);
+      }
+  }
 
   glm::dvec2 lower_, pixel_;
   int pixels_;
