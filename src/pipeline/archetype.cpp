@@ -133,6 +133,7 @@ ArchetypeKey keyOf(const field::Layer& layer, const field::Cloud& cloud, const O
 
 int opticalDepthClassOf(double opticalDepth) {
   return 2 * classOf(std::max(0.02, opticalDepth), kOpticalDepthStep * kOpticalDepthStep);
+}
 
 ArchetypeKey shapeKeyOf(const ArchetypeKey& key) {
   ArchetypeKey shapeKey = key;

@@ -75,17 +75,23 @@ double Footprint::coveredAlone(double opticalDepth, double threshold) const {
   return std::max<double>(1, static_cast<double>(end - waterOfBrightest_.begin())) * pixel;
 }
 
-const Footprint& FootprintBook::of(const ArchetypeKey& key) {
-  Entry* entry = nullptr;
+template <class Made, class Make>
+const Made& FootprintBook::oneOf(std::map<ArchetypeKey, Entry<Made>>& entries, const ArchetypeKey& key, Make make) {
+  Entry<Made>* entry = nullptr;
   {
     const std::lock_guard lock(mutex_);
-    entry = &entries_[key];
+    entry = &entries[key];
   }
-  std::call_once(entry->once, [&] {
-    const ArchetypeShape made = shapeOf(key, options_, general_);
-    entry->footprint = std::make_unique<Footprint>(Footprint::asDrawn(made.cloud.puffs, made.widthMeters));
+  std::call_once(entry->once, [&] { entry->made = std::make_unique<Made>(make()); });
+  return *entry->made;
+}
+
+const Footprint& FootprintBook::of(const ArchetypeKey& key) {
+  return oneOf(footprints_, key, [&] {
+    const ArchetypeKey shapeKey = shapeKeyOf(key);
+    const ArchetypeShape& shape = oneOf(shapes_, shapeKey, [&] { return shapeOf(shapeKey, options_, general_); });
+    return Footprint::asDrawn(inClassOf(key, shape).cloud.puffs, shape.widthMeters);
   });
-  return *entry->footprint;
 }
 
 }  // namespace cloudgen::pipeline
