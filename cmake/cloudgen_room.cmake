@@ -47,8 +47,8 @@ function(cloudgen_room NAME)
     target_link_libraries(cloudgen_${NAME} PUBLIC cloudgen::${room})
   endforeach()
   target_link_libraries(cloudgen_${NAME} PRIVATE ${ROOM_PRIVATE})
-  # One precompiled header for all rooms but those whose libraries change the compiler's options.
-  if(NAME STREQUAL "base" OR "CGAL::CGAL" IN_LIST ROOM_PRIVATE)
+  # One precompiled header for all rooms.
+  if(NAME STREQUAL "base")
     target_precompile_headers(cloudgen_${NAME} PRIVATE ${CLOUDGEN_COMMON_HEADERS})
   else()
     target_precompile_headers(cloudgen_${NAME} REUSE_FROM cloudgen_base)

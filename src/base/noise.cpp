@@ -7,11 +7,18 @@
 namespace cloudgen::base {
 namespace {
 
-/// SplitMix64's finaliser (Steele et al. 2014) over the lattice address.
-std::uint64_t hashed(std::int64_t x, std::int64_t y, std::int64_t z, std::uint64_t seed) {
-  std::uint64_t h = seed + 0x9e3779b97f4a7c15u * (static_cast<std::uint64_t>(x) + 1);
-  h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9u + 0xd1b54a32d192ed03u * (static_cast<std::uint64_t>(y) + 1);
-  h = (h ^ (h >> 27)) * 0x94d049bb133111ebu + 0x8cb92ba72f3d8dd7u * (static_cast<std::uint64_t>(z) + 1);
+/// SplitMix64's finaliser (Steele et al. 2014) over the lattice address, one coordinate after the other: the
+/// corners of a cell share the first two.
+std::uint64_t hashedX(std::int64_t x, std::uint64_t seed) {
+  const std::uint64_t h = seed + 0x9e3779b97f4a7c15u * (static_cast<std::uint64_t>(x) + 1);
+  return (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9u;
+}
+std::uint64_t hashedY(std::uint64_t hashOfX, std::int64_t y) {
+  const std::uint64_t h = hashOfX + 0xd1b54a32d192ed03u * (static_cast<std::uint64_t>(y) + 1);
+  return (h ^ (h >> 27)) * 0x94d049bb133111ebu;
+}
+std::uint64_t hashedZ(std::uint64_t hashOfXy, std::int64_t z) {
+  std::uint64_t h = hashOfXy + 0x8cb92ba72f3d8dd7u * (static_cast<std::uint64_t>(z) + 1);
   h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9u;
   h = (h ^ (h >> 27)) * 0x94d049bb133111ebu;
   return h ^ (h >> 31);
@@ -37,8 +44,13 @@ double gradientNoise(const glm::dvec3& point, std::uint64_t seed) {
              z = static_cast<std::int64_t>(fz);
   const double dx = point.x - fx, dy = point.y - fy, dz = point.z - fz;
   const double u = fade(dx), v = fade(dy), w = fade(dz);
+  std::uint64_t hashes[2][2];
+  for (int i = 0; i < 2; ++i) {
+    const std::uint64_t hash = hashedX(x + i, seed);
+    for (int j = 0; j < 2; ++j) hashes[i][j] = hashedY(hash, y + j);
+  }
   const auto corner = [&](int i, int j, int k) {
-    return slope(hashed(x + i, y + j, z + k, seed), dx - i, dy - j, dz - k);
+    return slope(hashedZ(hashes[i][j], z + k), dx - i, dy - j, dz - k);
   };
   return mix(mix(mix(corner(0, 0, 0), corner(1, 0, 0), u), mix(corner(0, 1, 0), corner(1, 1, 0), u), v),
              mix(mix(corner(0, 0, 1), corner(1, 0, 1), u), mix(corner(0, 1, 1), corner(1, 1, 1), u), v), w);

@@ -26,6 +26,23 @@ struct Crossing {
   }
 };
 
+/// What comes through `crossing` to each of a row of cells, whose neighbours across lie `step` apart.
+void mix(const Crossing& crossing, const float* __restrict from, int step, int count, float* __restrict to) {
+  const float *a = from, *b = from + step, *c = from + 2 * step, *d = from + 3 * step;
+  const float *w = crossing.weights, w0 = w[0], w1 = w[1], w2 = w[2], w3 = w[3];
+  for (int k = 0; k < count; ++k) to[k] = w0 * a[k] + w1 * b[k] + w2 * c[k] + w3 * d[k];
+}
+
+/// Depths on the slice before become those in the middles of the cells of a row, and those behind it.
+void pass(const float* __restrict extinction, float half, int count, float* __restrict depth,
+          float* __restrict behind) {
+  for (int k = 0; k < count; ++k) {
+    const float own = half * extinction[k], middle = std::max(depth[k], 0.0f) + own;
+    depth[k] = middle;
+    behind[k] = middle + own;
+  }
+}
+
 }  // namespace
 
 DepthSweep::DepthSweep(const ExtinctionGrid& grid) : grid_(&grid), depths_(grid.cells().size(), 0.0f) {}
@@ -47,29 +64,29 @@ void DepthSweep::towards(const glm::vec3& direction) {
   const int rows = size[row], columns = size[along], width = columns + 2 * kFrame;
   reached_.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(rows + 2 * kFrame), 0.0f);
   shifted_.assign(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows + 2 * kFrame), 0.0f);
+  row_.resize(static_cast<std::size_t>(columns));
+  cells_.resize(static_cast<std::size_t>(columns));
   const std::vector<float>& extinction = grid_->cells();
   const bool sunAbove = direction[main] > 0;
   for (int slice = 0; slice < size[main]; ++slice) {
-    for (int j = 0; j < rows + 2 * kFrame; ++j) {
-      const float* from = &reached_[static_cast<std::size_t>(j * width + kFrame + forward.first)];
-      float* to = &shifted_[static_cast<std::size_t>(j * columns)];
-      for (int k = 0; k < columns; ++k)
-        to[k] = forward.weights[0] * from[k] + forward.weights[1] * from[k + 1] +
-                forward.weights[2] * from[k + 2] + forward.weights[3] * from[k + 3];
-    }
+    for (int j = 0; j < rows + 2 * kFrame; ++j)
+      mix(forward, &reached_[static_cast<std::size_t>(j * width + kFrame + forward.first)], 1, columns,
+          &shifted_[static_cast<std::size_t>(j * columns)]);
     const int level = sunAbove ? size[main] - 1 - slice : slice;
     for (int j = 0; j < rows; ++j) {
-      const float* from = &shifted_[static_cast<std::size_t>((j + kFrame + across.first) * columns)];
+      float* depth = row_.data();
+      mix(across, &shifted_[static_cast<std::size_t>((j + kFrame + across.first) * columns)], columns, columns,
+          depth);
+      const auto start = static_cast<std::size_t>(level * strides[main] + j * strides[row]),
+                 stride = static_cast<std::size_t>(strides[along]);
       float* to = &reached_[static_cast<std::size_t>((j + kFrame) * width + kFrame)];
-      const int start = level * strides[main] + j * strides[row];
-      for (int k = 0; k < columns; ++k) {
-        const auto cell = static_cast<std::size_t>(start + k * strides[along]);
-        const float before = across.weights[0] * from[k] + across.weights[1] * from[k + columns] +
-                             across.weights[2] * from[k + 2 * columns] +
-                             across.weights[3] * from[k + 3 * columns];
-        const float depth = std::max(before, 0.0f) + half * extinction[cell];
-        depths_[cell] = depth;
-        to[k] = depth + half * extinction[cell];
+      if (stride == 1) {
+        pass(&extinction[start], half, columns, depth, to);
+        std::copy_n(depth, columns, &depths_[start]);
+      } else {
+        for (std::size_t k = 0; k < cells_.size(); ++k) cells_[k] = extinction[start + k * stride];
+        pass(cells_.data(), half, columns, depth, to);
+        for (std::size_t k = 0; k < cells_.size(); ++k) depths_[start + k * stride] = depth[k];
       }
     }
   }

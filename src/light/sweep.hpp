@@ -27,6 +27,7 @@ class DepthSweep {
   std::vector<float> depths_;
   std::vector<float> reached_;  ///< depth half a step beyond the slice before, framed by zeros
   std::vector<float> shifted_;  ///< the same where the rays cross, along one of the slice's axes
+  std::vector<float> row_, cells_;  ///< depths and extinctions of a row of a slice
 };
 
 }  // namespace cloudgen::light

@@ -63,21 +63,19 @@ float reachAlong(const shape::Puff& puff, const glm::vec3& direction) {
   return glm::length(puff.sigma * (glm::conjugate(puff.rotation) * direction));
 }
 
-/// Depths of every puff along a direction: from its skin, and from its middle.
-struct Depths {
-  std::vector<float> skin, middle;
-};
-
-Depths depthsTowards(Medium& medium, std::span<const shape::Puff> puffs, const glm::vec3& direction) {
+PuffDepths depthsTowards(Medium& medium, std::span<const shape::Puff> puffs, const glm::vec3& direction) {
   medium.sweepTowards(direction);
-  Depths depths;
+  PuffDepths depths;
   for (const shape::Puff& puff : puffs) {
     const float reach = std::max(kSkin * reachAlong(puff, direction), 0.5f * medium.cellMeters());
-    depths.skin.push_back(std::max(0.0f, medium.depthFrom(puff.center + reach * direction) - kSeenDepth));
+    depths.skin.push_back(medium.depthFrom(puff.center + reach * direction));
     depths.middle.push_back(medium.depthFrom(puff.center));
   }
   return depths;
 }
+
+/// Of the depth from a skin, what hides it.
+float hiding(float skinDepth) { return std::max(0.0f, skinDepth - kSeenDepth); }
 
 /// ((1 + cos) / 2)^3: like the cosine of a matt surface, its mean over the sphere is a quarter, so that under
 /// an even light from everywhere nothing is lost; it turns around the edge as light in a cloud does, and
@@ -157,32 +155,31 @@ float upwardOf(float upward, float layer) {
   return share > 0 ? std::max(upward, glm::mix(kLevelFrom, 1.0f, share)) : upward;
 }
 
-std::vector<Place> placesOf(std::span<const shape::Puff> puffs, Medium& medium, float reduction,
-                            std::vector<PuffTransfer>& transfers) {
+std::vector<Place> placesOf(std::span<const shape::Puff> puffs, const CloudDepths& depths, float denser,
+                            float reduction, std::vector<PuffTransfer>& transfers) {
   const auto& directions = lattice().directions;
+  const auto hidingAt = [&](std::size_t j, std::size_t p) { return hiding(denser * depths.towards[j].skin[p]); };
   std::vector<Place> places(puffs.size());
   std::vector<float> open(puffs.size());
-  std::vector<Depths> depths;
-  for (const glm::vec3& direction : directions) {
-    depths.push_back(depthsTowards(medium, puffs, direction));
+  for (std::size_t j = 0; j < directions.size(); ++j)
     for (std::size_t p = 0; p < puffs.size(); ++p) {
-      const float clear = std::exp(-kClear * depths.back().skin[p]);
+      const float clear = std::exp(-kClear * hidingAt(j, p));
       places[p].clear.push_back(clear);
-      places[p].normal += clear * direction;
+      places[p].normal += clear * directions[j];
       open[p] += clear;
-      transfers[p].visibility += std::exp(-depths.back().skin[p]) / static_cast<float>(directions.size());
+      transfers[p].visibility += std::exp(-hidingAt(j, p)) / static_cast<float>(directions.size());
     }
-  }
   for (std::size_t p = 0; p < puffs.size(); ++p) {
     glm::vec3& normal = places[p].normal;
     normal *= 2.0f / (open[p] + 1e-12f);
     if (glm::dot(normal, normal) > 1) normal = glm::normalize(normal);
-    transfers[p].upward = upwardOf(normal.y, std::max(medium.layer(), layerShare(puffs[p])));
+    transfers[p].upward = upwardOf(normal.y, std::max(depths.layer, layerShare(puffs[p])));
     for (std::size_t j = 0; j < directions.size(); ++j) {
-      const float skin = places[p].skinDepth(directions[j], depths[j].skin[p], depths[j].middle[p]);
+      const float middle = denser * depths.towards[j].middle[p];
+      const float skin = places[p].skinDepth(directions[j], hidingAt(j, p), middle);
       places[p].direct.push_back(transmitted(reduction * skin));
       places[p].skin.push_back(transmitted(kDiffusivity * reduction * skin));
-      places[p].middle.push_back(transmitted(kDiffusivityBehind * reduction * depths[j].middle[p]));
+      places[p].middle.push_back(transmitted(kDiffusivityBehind * reduction * middle));
     }
   }
   return places;
@@ -299,12 +296,25 @@ float seenArea(const shape::Puff& puff, const PuffTransfer& transfer) {
   return puff.sigma.x * puff.sigma.z * transfer.visibility;
 }
 
+CloudDepths depthsIn(std::span<const shape::Puff> puffs, const ExtinctionGrid& grid) {
+  Medium medium(puffs, grid);
+  CloudDepths depths;
+  depths.layer = medium.layer();
+  for (const glm::vec3& direction : lattice().directions)
+    depths.towards.push_back(depthsTowards(medium, puffs, direction));
+  return depths;
+}
+
 CloudTransfer bakeTransfer(std::span<const shape::Puff> puffs, const ExtinctionGrid& grid, float asymmetry) {
+  return bakeTransfer(puffs, depthsIn(puffs, grid), asymmetry);
+}
+
+CloudTransfer bakeTransfer(std::span<const shape::Puff> puffs, const CloudDepths& depths, float asymmetry,
+                           float denser) {
   const Lattice& even = lattice();
   const std::size_t count = even.directions.size();
-  Medium medium(puffs, grid);
   std::vector<PuffTransfer> transfers(puffs.size());
-  const std::vector<Place> places = placesOf(puffs, medium, 1.0f - asymmetry, transfers);
+  const std::vector<Place> places = placesOf(puffs, depths, denser, 1.0f - asymmetry, transfers);
   const std::vector<std::vector<Beam>> beams = beamsThrough(places);
   const Thickness cloud = thinnest(puffs, transfers, beams, 1.0f - asymmetry);
   std::vector<float> sun(count), through(count);
@@ -332,21 +342,21 @@ CloudTransfer bakeTransfer(std::span<const shape::Puff> puffs, const ExtinctionG
 
 std::vector<SunAnswer> bakeSun(std::span<const shape::Puff> puffs, const ExtinctionGrid& grid,
                                float asymmetry, const glm::vec3& sunDirection) {
-  Medium medium(puffs, grid);
   std::vector<PuffTransfer> transfers(puffs.size());
   const float reduction = 1.0f - asymmetry;
-  const std::vector<Place> places = placesOf(puffs, medium, reduction, transfers);
+  const std::vector<Place> places = placesOf(puffs, depthsIn(puffs, grid), 1, reduction, transfers);
   const std::vector<float> front = lattice().lobeAbout(sunDirection),
                            back = lattice().sideTowards(-sunDirection);
-  const Depths depths = depthsTowards(medium, puffs, sunDirection);
+  Medium medium(puffs, grid);
+  const PuffDepths depths = depthsTowards(medium, puffs, sunDirection);
   const Thickness cloud = thinnest(puffs, transfers, beamsThrough(places), reduction);
   std::vector<SunAnswer> answers;
   for (std::size_t p = 0; p < puffs.size(); ++p) {
-    const float direct =
-        transmitted(reduction * places[p].skinDepth(sunDirection, depths.skin[p], depths.middle[p]));
+    const float skin = hiding(depths.skin[p]);
+    const float direct = transmitted(reduction * places[p].skinDepth(sunDirection, skin, depths.middle[p]));
     const Beam beam{kSpread * about(front, places[p].skin) + (1 - kSpread) * direct,
                     about(back, places[p].middle)};
-    answers.push_back(answer(places[p], sunDirection, beam, std::exp(-kClear * depths.skin[p]), cloud));
+    answers.push_back(answer(places[p], sunDirection, beam, std::exp(-kClear * skin), cloud));
     answers.back().once = onceOf(cloud, asymmetry);
   }
   return answers;

@@ -37,9 +37,26 @@ struct SunAnswer {
   ScatteredOnce once;
 };
 
-/// Transfer of each puff inside the medium of `grid`: depths by sweeps in 48 directions, octaves of the
-/// reduced depths (1 - `asymmetry`) tau before and behind the puff, and how squarely its skin faces the
-/// light.
+/// Optical depths of every puff along one direction: from a little outside of its skin, and from its middle.
+struct PuffDepths {
+  std::vector<float> skin, middle;
+};
+
+/// What lies about the puffs of a cloud: depths along each direction of the lattice, and how much the cloud is
+/// a piece of a layer (layerShare). With all extinction multiplied, the depths are.
+struct CloudDepths {
+  std::vector<PuffDepths> towards;
+  float layer = 0;
+};
+
+/// By sweeps in 48 directions through the medium of `grid`.
+CloudDepths depthsIn(std::span<const shape::Puff> puffs, const ExtinctionGrid& grid);
+
+/// Transfer of each puff of a cloud in which depths are `denser` times those given: octaves of the reduced
+/// depths (1 - `asymmetry`) tau before and behind the puff, and how squarely its skin faces the light.
+CloudTransfer bakeTransfer(std::span<const shape::Puff> puffs, const CloudDepths& depths, float asymmetry,
+                           float denser = 1);
+/// The same inside the medium of `grid`.
 CloudTransfer bakeTransfer(std::span<const shape::Puff> puffs, const ExtinctionGrid& grid, float asymmetry);
 
 /// What weighs in the tone of a cloud: area, as far as it is seen.

@@ -135,6 +135,12 @@ int opticalDepthClassOf(double opticalDepth) {
   return 2 * classOf(std::max(0.02, opticalDepth), kOpticalDepthStep * kOpticalDepthStep);
 }
 
+ArchetypeKey shapeKeyOf(const ArchetypeKey& key) {
+  ArchetypeKey shapeKey = key;
+  shapeKey.opticalDepthClass = 0;
+  return shapeKey;
+}
+
 double drawnWidthMeters(double depthMeters, double widthMeters) {
   return depthMeters / std::pow(kAspectStep, classOf(depthMeters / widthMeters, kAspectStep));
 }
@@ -172,6 +178,19 @@ ArchetypeShape shapeOf(const ArchetypeKey& key, const Options& options, const Ge
                        heaped ? shape::Ends::Round : shape::Ends::Flat);
   shape::standOverCentroid(out.cloud.puffs);
   return out;
+}
+
+double opticalDepthOver0(const ArchetypeKey& key) {
+  static_assert(kOpticalDepthStep == 2);
+  return std::exp2(key.opticalDepthClass);
+}
+
+ArchetypeShape inClassOf(const ArchetypeKey& key, const ArchetypeShape& ofClass0) {
+  const double by = opticalDepthOver0(key);
+  ArchetypeShape shape = ofClass0;
+  shape.opticalDepth *= by;
+  for (shape::Puff& puff : shape.cloud.puffs) puff.extinctionPerMeter *= static_cast<float>(by);
+  return shape;
 }
 
 double groundCovered(std::span<const shape::Puff> puffs, double widthMeters, double opticalDepth) {

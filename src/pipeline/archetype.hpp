@@ -31,6 +31,8 @@ struct ArchetypeKey {
 ArchetypeKey shapeKeyOf(const field::Layer& layer, std::uint32_t ordinal, double depthMeters,
                         double widthMeters, const Options& options);
 ArchetypeKey keyOf(const field::Layer& layer, const field::Cloud& cloud, const Options& options);
+/// The key of the same shape in the class 0 of optical depth.
+ArchetypeKey shapeKeyOf(const ArchetypeKey& key);
 
 /// The class that stands for clouds of about an optical depth where its own is not known yet: every second.
 int opticalDepthClassOf(double opticalDepth);
@@ -45,6 +47,12 @@ struct ArchetypeShape {
   shape::CloudShape cloud;
 };
 ArchetypeShape shapeOf(const ArchetypeKey& key, const Options& options, const Generalisation& general);
+
+/// Optical depth of a class over that of class 0. A power of two: shapes, and depths in them, are bit by bit those
+/// of class 0 times this.
+double opticalDepthOver0(const ArchetypeKey& key);
+/// shapeOf() of a key from that of its shapeKeyOf().
+ArchetypeShape inClassOf(const ArchetypeKey& key, const ArchetypeShape& ofClass0);
 
 /// The ground that a cloud covers, seen from above, in squares of its width, if it has an optical depth
 /// there.

@@ -2,6 +2,7 @@
 #include "pipeline/canvas.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -11,6 +12,7 @@ namespace cloudgen::pipeline {
 namespace {
 
 constexpr double kMostPixels = 4e6, kMostValues = 2e7;
+constexpr std::size_t kMostKept = std::size_t{1} << 22, kSamplesOfEntry = 8;  ///< tens of megabytes
 constexpr double kRadians = std::numbers::pi / 180.0;
 constexpr float kCovering = static_cast<float>(kCoveringOpticalDepth);
 
@@ -204,16 +206,36 @@ void Canvas::sample(const Stamp& stamp) {
   for (Sample& one : samples_) one.share = static_cast<float>(one.share / sum);
 }
 
+std::size_t Canvas::HashOfLie::operator()(const Lie& lie) const {
+  std::uint64_t hash = reinterpret_cast<std::uintptr_t>(lie.footprint);
+  for (const double value : {lie.x, lie.z, lie.widthMeters, lie.yawRadians}) {
+    hash = (hash ^ std::bit_cast<std::uint64_t>(value)) * 0x9e3779b97f4a7c15u;
+    hash ^= hash >> 32;
+  }
+  return hash;
+}
+
+std::span<const Canvas::Sample> Canvas::samplesOf(const Stamp& stamp) {
+  const Lie lie{stamp.place.x, stamp.place.y, stamp.widthMeters, stamp.yawRadians, stamp.footprint};
+  if (const auto found = keptOf_.find(lie); found != keptOf_.end())
+    return std::span(kept_).subspan(found->second.first, found->second.count);
+  sample(stamp);
+  if (kept_.size() + samples_.size() + kSamplesOfEntry * keptOf_.size() <= kMostKept) {
+    keptOf_.emplace(lie, Kept{kept_.size(), samples_.size()});
+    kept_.insert(kept_.end(), samples_.begin(), samples_.end());
+  }
+  return samples_;
+}
+
 void Canvas::brush(const Stamp& stamp, float sign, Stroke& stroke) {
   stroke.genus = stamp.genus;
   stroke.dabs.clear();
   stroke.touched.clear();
-  sample(stamp);
   const double whole = sign * stamp.extinctionArea / pixelSquareMeters(),
                drawn = stamp.footprint->drawnShare();
   std::int32_t lastCell = -1;
   std::size_t first = 0;
-  for (const auto& [pixel, share] : samples_) {
+  for (const auto& [pixel, share] : samplesOf(stamp)) {
     const std::int32_t cell = cellOf_[pixel];
     if (cell < 0) continue;
     const double depth = whole * share;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "base/frame.hpp"
@@ -114,10 +115,26 @@ class Canvas {
     std::uint32_t pixel = 0;
     float share = 0;
   };
+  /// What the samples of a stamp depend on.
+  struct Lie {
+    double x, z, widthMeters, yawRadians;
+    const Footprint* footprint;
+    bool operator==(const Lie&) const = default;
+  };
+  struct HashOfLie {
+    std::size_t operator()(const Lie& lie) const;
+  };
+  struct Kept {
+    std::size_t first = 0, count = 0;
+  };
   /// The pixels that a stamp meets, and the share of it that each gets. Where pixels are coarse their middles
   /// meet a cloud by chance: all of them together get all of it, those beyond the canvas included.
   void sample(const Stamp& stamp);
+  /// The same, looked up where the stamp was brushed before. Valid until the next call.
+  std::span<const Sample> samplesOf(const Stamp& stamp);
   std::vector<Sample> samples_;
+  std::vector<Sample> kept_;  ///< of stamps that were brushed, as many as are worth the memory
+  std::unordered_map<Lie, Kept, HashOfLie> keptOf_;
 };
 
 }  // namespace cloudgen::pipeline

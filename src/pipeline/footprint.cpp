@@ -54,7 +54,10 @@ Footprint::Footprint(std::span<const shape::Puff> puffs, double widthMeters, boo
   if (blended) drawnShare_ = painted * widthMeters * widthMeters / total;
   for (float& value : values_) value = static_cast<float>(value / painted);
   waterOfBrightest_ = values_;
-  std::sort(waterOfBrightest_.begin(), waterOfBrightest_.end(), std::greater<>());
+  // Most are 0 already, and last.
+  const auto some = std::partition(waterOfBrightest_.begin(), waterOfBrightest_.end(),
+                                   [](float value) { return value != 0; });
+  std::sort(waterOfBrightest_.begin(), some, std::greater<>());
   float most = 0;
   for (std::size_t n = waterOfBrightest_.size(); n > 0; --n) {
     most = std::max(most, static_cast<float>(n) * waterOfBrightest_[n - 1]);
@@ -72,17 +75,23 @@ double Footprint::coveredAlone(double opticalDepth, double threshold) const {
   return std::max<double>(1, static_cast<double>(end - waterOfBrightest_.begin())) * pixel;
 }
 
-const Footprint& FootprintBook::of(const ArchetypeKey& key) {
-  Entry* entry = nullptr;
+template <class Made, class Make>
+const Made& FootprintBook::oneOf(std::map<ArchetypeKey, Entry<Made>>& entries, const ArchetypeKey& key, Make make) {
+  Entry<Made>* entry = nullptr;
   {
     const std::lock_guard lock(mutex_);
-    entry = &entries_[key];
+    entry = &entries[key];
   }
-  std::call_once(entry->once, [&] {
-    const ArchetypeShape made = shapeOf(key, options_, general_);
-    entry->footprint = std::make_unique<Footprint>(Footprint::asDrawn(made.cloud.puffs, made.widthMeters));
+  std::call_once(entry->once, [&] { entry->made = std::make_unique<Made>(make()); });
+  return *entry->made;
+}
+
+const Footprint& FootprintBook::of(const ArchetypeKey& key) {
+  return oneOf(footprints_, key, [&] {
+    const ArchetypeKey shapeKey = shapeKeyOf(key);
+    const ArchetypeShape& shape = oneOf(shapes_, shapeKey, [&] { return shapeOf(shapeKey, options_, general_); });
+    return Footprint::asDrawn(inClassOf(key, shape).cloud.puffs, shape.widthMeters);
   });
-  return *entry->footprint;
 }
 
 }  // namespace cloudgen::pipeline

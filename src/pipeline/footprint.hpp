@@ -63,14 +63,20 @@ class FootprintBook {
   const Footprint& of(const ArchetypeKey& key);
 
  private:
+  template <class Made>
   struct Entry {
     std::once_flag once;
-    std::unique_ptr<Footprint> footprint;
+    std::unique_ptr<Made> made;
   };
+  /// What stands under a key; made of it when it is first asked for.
+  template <class Made, class Make>
+  const Made& oneOf(std::map<ArchetypeKey, Entry<Made>>& entries, const ArchetypeKey& key, Make make);
+
   const Options& options_;
   const Generalisation& general_;
   std::mutex mutex_;
-  std::map<ArchetypeKey, Entry> entries_;
+  std::map<ArchetypeKey, Entry<Footprint>> footprints_;
+  std::map<ArchetypeKey, Entry<ArchetypeShape>> shapes_;  ///< in the class 0 of optical depth
 };
 
 }  // namespace cloudgen::pipeline

@@ -20,9 +20,8 @@
 namespace cloudgen::pipeline {
 namespace {
 
-scene::Archetype makeArchetype(const ArchetypeKey& key, const Options& options,
-                               const Generalisation& general) {
-  ArchetypeShape shape = shapeOf(key, options, general);
+/// `footprint`: of the shape, whatever its class of optical depth.
+scene::Archetype makeArchetype(const ArchetypeKey& key, ArchetypeShape shape, const Footprint& footprint) {
   scene::Archetype archetype;
   archetype.name = nameOf(key);
   archetype.genus = key.genus;
@@ -35,7 +34,7 @@ scene::Archetype makeArchetype(const ArchetypeKey& key, const Options& options,
   archetype.covering = shape::coveringOf(archetype.puffs);
   constexpr int kFarPuffs = 6;
   const double width = shape.widthMeters, depth = shape.opticalDepth,
-               ground = groundCovered(archetype.puffs, width, depth);
+               ground = footprint.coveredAlone(depth, kCoveringOpticalDepth);
   archetype.farPuffs = fewerPuffs(archetype.puffs, kFarPuffs, width, depth, ground);
   archetype.farCovering = shape::coveringOf(archetype.farPuffs);
   archetype.onePuff = fewerPuffs(archetype.puffs, 1, width, depth, ground).front();
@@ -43,18 +42,18 @@ scene::Archetype makeArchetype(const ArchetypeKey& key, const Options& options,
 }
 
 /// The puffs as the light meets them: an element of a sheet stands among others that overlap it.
-std::vector<shape::Puff> amongNeighbours(const scene::Archetype& archetype, const shape::Recipe& recipe) {
-  std::vector<shape::Puff> puffs = archetype.puffs;
-  const double layers = shape::footprintSquareMeters(archetype.widthMeters) /
-                        coveredSquareMeters(recipe, archetype.widthMeters);
+std::vector<shape::Puff> amongNeighbours(const ArchetypeShape& shape, const shape::Recipe& recipe) {
+  std::vector<shape::Puff> puffs = shape.cloud.puffs;
+  const auto width = static_cast<float>(shape.widthMeters);
+  const double layers = shape::footprintSquareMeters(width) / coveredSquareMeters(recipe, width);
   for (shape::Puff& puff : puffs) puff.extinctionPerMeter *= static_cast<float>(layers);
   return puffs;
 }
 
-light::ExtinctionGrid gridOf(const scene::Archetype& archetype, const shape::Recipe& recipe) {
-  const int cells =
-      std::clamp(static_cast<int>(5.0 * std::cbrt(static_cast<double>(archetype.puffs.size()))), 12, 90);
-  return {amongNeighbours(archetype, recipe), cells};
+light::CloudDepths depthsOf(const ArchetypeShape& shape, const shape::Recipe& recipe) {
+  const auto& puffs = shape.cloud.puffs;
+  const int cells = std::clamp(static_cast<int>(5.0 * std::cbrt(static_cast<double>(puffs.size()))), 12, 90);
+  return light::depthsIn(puffs, light::ExtinctionGrid(amongNeighbours(shape, recipe), cells));
 }
 
 scene::LitArchetype lightArchetype(std::uint32_t index, int yawStep, const scene::Archetype& archetype,
@@ -110,25 +109,31 @@ scene::Scene produce(const field::CloudTable& table, const Origin& origin, const
   }
 
   scene.archetypes.resize(keys.size());
-  base::parallelFor(keys.size(), [&](size_t i) {
-    if (progress.cancelled && progress.cancelled()) return;
-    scene.archetypes[i] = makeArchetype(keys[i], options, general);
-  });
-  progress.step("production: light", 0.4);
   scene.lit.resize(lits.size());
   std::vector<std::vector<std::uint32_t>> litsOf(keys.size());
   for (std::uint32_t i = 0; i < lits.size(); ++i) litsOf[lits[i].first].push_back(i);
-  base::parallelFor(keys.size(), [&](size_t a) {
+  // One shape, and one set of sweeps through it, for all classes of optical depth that it stands in.
+  std::map<ArchetypeKey, std::vector<std::uint32_t>> sharing;
+  for (std::uint32_t i = 0; i < keys.size(); ++i) sharing[shapeKeyOf(keys[i])].push_back(i);
+  const std::vector<std::pair<ArchetypeKey, std::vector<std::uint32_t>>> shapes(sharing.begin(), sharing.end());
+  progress.step("production: light", 0.4);
+  base::parallelFor(shapes.size(), [&](size_t i) {
     if (progress.cancelled && progress.cancelled()) return;
-    scene::Archetype& archetype = scene.archetypes[a];
-    const light::ExtinctionGrid grid =
-        gridOf(archetype, options.recipes.of(archetype.genus, isThin(keys[a].layerClass)));
-    const light::CloudTransfer transfer =
-        light::bakeTransfer(archetype.puffs, grid, light::asymmetryOf(archetype.genus));
-    archetype.response = light::responseOf(archetype.puffs, transfer, light::shadingOf(archetype.genus),
-                                           static_cast<float>(light::lightHeightOf(archetype.genus)));
-    for (const std::uint32_t i : litsOf[a])
-      scene.lit[i] = lightArchetype(lits[i].first, lits[i].second, archetype, transfer, origin);
+    const auto& [shapeKey, members] = shapes[i];
+    const ArchetypeShape shape = shapeOf(shapeKey, options, general);
+    const Footprint footprint(shape.cloud.puffs, shape.widthMeters);
+    const light::CloudDepths depths =
+        depthsOf(shape, options.recipes.of(shapeKey.genus, isThin(shapeKey.layerClass)));
+    for (const std::uint32_t a : members) {
+      scene::Archetype& archetype = scene.archetypes[a] = makeArchetype(keys[a], inClassOf(keys[a], shape), footprint);
+      const light::CloudTransfer transfer =
+          light::bakeTransfer(archetype.puffs, depths, light::asymmetryOf(archetype.genus),
+                              static_cast<float>(opticalDepthOver0(keys[a])));
+      archetype.response = light::responseOf(archetype.puffs, transfer, light::shadingOf(archetype.genus),
+                                             static_cast<float>(light::lightHeightOf(archetype.genus)));
+      for (const std::uint32_t k : litsOf[a])
+        scene.lit[k] = lightArchetype(lits[k].first, lits[k].second, archetype, transfer, origin);
+    }
   });
   progress.step("production: light", 1);
 

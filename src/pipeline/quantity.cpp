@@ -63,7 +63,7 @@ double puffsDrawn(const field::CloudTable& table, const Options& options, const 
   std::map<ArchetypeKey, double> known;
   double puffs = 0;
   for (const field::Cloud& cloud : table.clouds) {
-    const ArchetypeKey key = keyOf(table.layers[cloud.layer], cloud, options);
+    const ArchetypeKey key = shapeKeyOf(keyOf(table.layers[cloud.layer], cloud, options));
     const auto [found, isNew] = known.try_emplace(key);
     if (isNew) found->second = static_cast<double>(shapeOf(key, options, general).cloud.puffs.size());
     puffs += found->second;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -44,35 +45,81 @@ PlanRaster rasterAround(std::span<const Puff> puffs) {
   return {{bounds.lower.x, bounds.lower.z}, {bounds.upper.x, bounds.upper.z}, kPixels};
 }
 
-double covered(const PlanRaster& raster) {
-  const auto over =
-      std::ranges::count_if(raster.values(), [](float depth) { return depth > kCoveringOpticalDepth; });
-  return static_cast<double>(over) * raster.pixel().x * raster.pixel().y;
+double squareMeters(const PlanRaster& raster, std::size_t pixels) {
+  return static_cast<double>(pixels) * raster.pixel().x * raster.pixel().y;
+}
+
+/// A blended blob from above.
+struct Blended {
+  PlanGaussian plan;
+  float opacity;
+};
+
+/// True if a pixel has more than kCoveringOpticalDepth of the blobs.
+bool isCovered(std::size_t pixel, std::span<const Blended> blobs, PlanRaster& raster) {
+  float depth = 0;
+  for (const Blended& blob : blobs)
+    raster.visitOne(pixel, blob.plan, [&](float&, double q) {
+      depth += -std::log1p(-blob.opacity * static_cast<float>(std::exp(-0.5 * q)));
+    });
+  return depth > kCoveringOpticalDepth;
+}
+
+/// As blendedSquareMeters(), but counts no further than it has more than `enough`. Nearly all pixels are told by what
+/// the blobs let through together, without logarithms and in single precision; where that lies within its errors of the
+/// threshold, their depths are added up.
+double blendedUpTo(double enough, std::span<const Puff> puffs, float covering) {
+  constexpr float kMostOpaque = 1 - 0x1p-20f;
+  std::vector<Puff> widened;
+  std::vector<Blended> blobs;
+  for (const Puff& puff : puffs) {
+    widened.push_back(widenedAcross(puff, covering));
+    blobs.push_back({planOf(widened.back()),
+                     std::min(kMostOpaque, -std::expm1(-frontalOpticalDepth(widened.back())))});
+  }
+  PlanRaster raster = rasterAround(widened);
+  const auto threshold = static_cast<float>(std::exp(-kCoveringOpticalDepth));
+  const float error = 1e-5f + 2.5e-7f * static_cast<float>(blobs.size());
+  const float covered = threshold - error, open = threshold + error;
+  // Values are what is stopped, so that they begin with 0; 1 where it is known that enough is.
+  std::size_t known = 0;
+  for (const Blended& blob : blobs) {
+    if (squareMeters(raster, known) > enough) return squareMeters(raster, known);
+    raster.visit(blob.plan, [&](float& stopped, double q) {
+      if (stopped == 1) return;
+      const float through = (1 - stopped) * (1 - blob.opacity * std::exp(-0.5f * static_cast<float>(q)));
+      stopped = through < covered ? 1 : 1 - through;
+      known += stopped == 1;
+    });
+  }
+  for (std::size_t pixel = 0; pixel < raster.values().size(); ++pixel) {
+    const float through = 1 - raster.values()[pixel];
+    known += through > 0 && through < open && isCovered(pixel, blobs, raster);
+  }
+  return squareMeters(raster, known);
 }
 
 }  // namespace
 
 double coveredSquareMeters(std::span<const Puff> puffs) {
   PlanRaster raster = rasterAround(puffs);
+  std::size_t covered = 0;
   for (const Puff& puff : puffs) {
     const PlanGaussian plan = planOf(puff);
     const double middle = extinctionArea(puff) / (2 * std::numbers::pi * std::sqrt(plan.determinant()));
-    raster.add(plan, [middle](double gaussian) { return middle * gaussian; });
+    covered +=
+        raster.addUpTo(kCoveringOpticalDepth, plan, [middle](double gaussian) { return middle * gaussian; });
   }
-  return covered(raster);
+  return squareMeters(raster, covered);
 }
 
 double blendedSquareMeters(std::span<const Puff> puffs, float covering) {
-  std::vector<Puff> widened;
-  for (const Puff& puff : puffs) widened.push_back(widenedAcross(puff, covering));
-  PlanRaster raster = rasterAround(widened);
-  for (const Puff& puff : widened) raster.add(planOf(puff), BlendedProfile(frontalOpticalDepth(puff)));
-  return covered(raster);
+  return blendedUpTo(std::numeric_limits<double>::infinity(), puffs, covering);
 }
 
 float coveringOf(std::span<const Puff> puffs) {
-  return coveringThat(coveredSquareMeters(puffs),
-                      [&](float covering) { return blendedSquareMeters(puffs, covering); });
+  const double wanted = coveredSquareMeters(puffs);
+  return coveringThat(wanted, [&](float covering) { return blendedUpTo(wanted, puffs, covering); });
 }
 
 }  // namespace cloudgen::shape

@@ -10,6 +10,19 @@
 namespace cloudgen::shape {
 namespace {
 
+/// Those of the lobes that may bury a point of the surface of one of them.
+std::vector<Lobe> buryingAbout(const Lobe& own, const std::vector<Lobe>& lobes) {
+  constexpr double kFurthest = 1.25;  ///< of its radius, that a puff stands from a lobe's middle
+  std::vector<Lobe> near;
+  for (const Lobe& lobe : lobes) {
+    if (lobe.level > own.level || &lobe == &own) continue;
+    const glm::dvec3 away = own.center - lobe.center;
+    const double reach = kFurthest * own.radius + lobe.radius;
+    if (glm::dot(away, away) < reach * reach) near.push_back(lobe);
+  }
+  return near;
+}
+
 /// True if another lobe covers the point so deeply that nobody would see a puff there.
 bool buried(const glm::dvec3& point, const std::vector<Lobe>& lobes, const Lobe& own) {
   for (const Lobe& lobe : lobes) {
@@ -83,6 +96,7 @@ void fillLobes(std::vector<Puff>& puffs, const std::vector<Lobe>& lobes, const R
                                         0.4 / std::cbrt(static_cast<double>(std::max(1, share)))),
                  0.62 * spacing);
     const double shell = std::max(0.2, 1.0 - 1.3 * size / lobe.radius);
+    const std::vector<Lobe> burying = share > 0 ? buryingAbout(lobe, lobes) : std::vector<Lobe>();
     for (int i = 0; i < share; ++i) {
       const bool surface = stream.uniform() < (lobe.level == finest ? 0.88 : 0.7);
       glm::dvec3 position{};
@@ -96,7 +110,7 @@ void fillLobes(std::vector<Puff>& puffs, const std::vector<Lobe>& lobes, const R
         const glm::dvec3 onSurface = lobe.center + direction * lobe.radius;
         const double bulge = 0.88 + 0.75 * (base::billowNoise(onSurface * noiseScale * 2.1, 4, 17) - 0.70);
         position = lobe.center + direction * (lobe.radius * depth * bulge);
-        if (!surface || !buried(position, lobes, lobe)) break;
+        if (!surface || !buried(position, burying, lobe)) break;
       }
       const bool wisp = lobe.level == finest && stream.uniform() < 0.09 * recipe.raggedness * 3.0;
       double sigma = (surface ? size : std::max(size, 0.3 * lobe.radius)) * stream.uniform(0.7, 1.25);

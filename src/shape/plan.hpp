@@ -30,16 +30,38 @@ class PlanRaster {
   /// Adds what `valueOf` makes of the Gaussian (1 in its middle), as far as 3.5 deviations.
   template <class ValueOf>
   void add(const PlanGaussian& plan, ValueOf valueOf) {
-    const double determinant = plan.determinant();
+    visit(plan, [&](float& value, double q) { value += static_cast<float>(valueOf(std::exp(-0.5 * q))); });
+  }
+
+  /// As add() of what is not negative, but pixels that have more than `enough` are left as they are.
+  /// Returns how many came to have more.
+  template <class ValueOf>
+  std::size_t addUpTo(double enough, const PlanGaussian& plan, ValueOf valueOf) {
+    std::size_t full = 0;
+    visit(plan, [&](float& value, double q) {
+      if (value > enough) return;
+      value += static_cast<float>(valueOf(std::exp(-0.5 * q)));
+      full += value > enough;
+    });
+    return full;
+  }
+
+  /// `does(value, q)` at each pixel within reach; the Gaussian is exp(-q / 2) there.
+  template <class Does>
+  void visit(const PlanGaussian& plan, Does does) {
     const Box box = boxOf(plan);
     for (int row = box.top; row <= box.bottom; ++row)
-      for (int column = box.left; column <= box.right; ++column) {
-        const double dx = lower_.x + (column + 0.5) * pixel_.x - plan.x,
-                     dz = lower_.y + (row + 0.5) * pixel_.y - plan.z;
-        const double q = (plan.zz * dx * dx - 2 * plan.xz * dx * dz + plan.xx * dz * dz) / determinant;
-        values_[static_cast<std::size_t>(row * pixels_ + column)] +=
-            static_cast<float>(valueOf(std::exp(-0.5 * q)));
-      }
+      for (int column = box.left; column <= box.right; ++column)
+        does(values_[static_cast<std::size_t>(row * pixels_ + column)], distanceAt(plan, row, column));
+  }
+
+  /// The same for one pixel, by its place in values().
+  template <class Does>
+  void visitOne(std::size_t pixel, const PlanGaussian& plan, Does does) {
+    const Box box = boxOf(plan);
+    const int row = static_cast<int>(pixel) / pixels_, column = static_cast<int>(pixel) % pixels_;
+    if (row >= box.top && row <= box.bottom && column >= box.left && column <= box.right)
+      does(values_[pixel], distanceAt(plan, row, column));
   }
 
  private:
@@ -47,6 +69,13 @@ class PlanRaster {
     int left = 0, right = 0, top = 0, bottom = 0;
   };
   Box boxOf(const PlanGaussian& plan) const;
+
+  /// Square of the distance in deviations.
+  double distanceAt(const PlanGaussian& plan, int row, int column) const {
+    const double dx = lower_.x + (column + 0.5) * pixel_.x - plan.x,
+                 dz = lower_.y + (row + 0.5) * pixel_.y - plan.z;
+    return (plan.zz * dx * dx - 2 * plan.xz * dx * dz + plan.xx * dz * dz) / plan.determinant();
+  }
 
   glm::dvec2 lower_, pixel_;
   int pixels_;

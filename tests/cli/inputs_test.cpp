@@ -16,7 +16,7 @@ namespace {
 using namespace cloudgen::test;
 using nlohmann::json;
 
-/// A file, and what a forecaster must find in it.
+/// A file, and what a forecaster must find in it. Of a time series the first: AnHourAFileIsOneInput reads the others.
 struct Input {
   const char* file;
   const char* tells;   ///< levels or layers
@@ -34,8 +34,6 @@ const Input kInputs[] = {
     {"gfs_icmr_17x17x3x7.nc", "levels", 3, 7, "longlat", {}, {}},
     {"eta_g211_lambert_20041208_f24.grib2", "levels", 19, 1, "lcc", {"RH"}, {"negative_cloud_height"}},
     {"ruc13_g212_2005080700_f00.grb", "levels", 39, 1, "lcc", {"RH", "hypsometric"}, {}},
-    {"ruc13_g212_2005080700_f12.grb", "levels", 39, 1, "lcc", {"RH", "hypsometric"}, {}},
-    {"ruc13_g212_2005080700_f24.grb", "levels", 39, 1, "lcc", {"RH", "hypsometric"}, {}},
     {"wafs_thinned_reduced_ll_20070110.grib2", "levels", 11, 1, "longlat", {"RH"}, {}},
     {"ifs_oper_20240101_10msgs.grib2", "levels", 3, 1, "longlat", {"RH"}, {}},
     {"icon-eu_CLCT_MOD_20220427_f047.grib2", "layers", 0, 1, "longlat", {}, {}},

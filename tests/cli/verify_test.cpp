@@ -26,10 +26,14 @@ constexpr const char* kSky =
 
 class Verify : public ::testing::Test {
  protected:
+  /// Each test has a copy of one build, which it may change.
   void SetUp() override {
-    const Ran ran =
-        runCloudgen({"build", sky, "-o", scene, "--formats", "x3d,splats,glb", "--max-puffs", "20000"});
+    static const Scratch kept;
+    static const std::string original = kept.path() / "scene";
+    static const Ran ran =
+        runCloudgen({"build", sky, "-o", original, "--formats", "x3d,splats,glb", "--max-puffs", "20000"});
     ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    std::filesystem::copy(original, scene, std::filesystem::copy_options::recursive);
   }
   /// The result for one of the formats, checked against its schema and the exit code.
   json verified(const std::string& format) const {

@@ -42,7 +42,7 @@ async function checkScene(runner, folder, onlyPage) {
 
   if (has('index.html') && browser)
     for (const size of [{width: 1280, height: 720}, {width: 360, height: 740}])
-      await runner.run(`${scene}: index.html works at ${size.width}x${size.height}`, 300, () => pageWorks(folder, size, picture(`page_${size.width}`)));
+      runner.addAlone(`${scene}: index.html works at ${size.width}x${size.height}`, 300, () => pageWorks(folder, size, picture(`page_${size.width}`)));
   if (onlyPage) return;
 
   const texts = {};
@@ -53,37 +53,34 @@ async function checkScene(runner, folder, onlyPage) {
     await writeFile(emptyFile, texts['/empty.x3d']);
   }
   const server = await serve(folder, texts);
+  runner.addAfterwards(() => server.close());
   const at = (page, file) => `${server.address}/pages/${page}.html?scene=${file}`;
-  const draws = (viewer, page, file, settle) =>
-    has(file) && browser
-      ? runner.run(`${scene}: ${viewer} draws ${file}`, 240, () =>
-          drawsByRemoval(at(page, `/scene/${file}`), picture(`${page}_${file}`), page === 'xite' ? CLOUD_NODES : [], settle),
-        )
-      : null;
-  try {
-    await draws('X_ITE', 'xite', 'scene.x3d', 3000);
-    await draws('X_ITE', 'xite', 'scene.wrl', 3000);
-    if (has('scene.x3d')) {
-      if (browser)
-        await runner.run(`${scene}: X3DOM draws scene.x3d`, 300, () =>
-          drawsByComparison(at('x3dom', '/scene/scene.x3d'), at('x3dom', '/empty.x3d'), picture('x3dom_scene.x3d')),
-        );
-      await runner.run(`${scene}: view3dscene draws scene.x3d`, 200, () =>
-        view3dsceneDraws(join(folder, 'scene.x3d'), emptyFile, picture('view3dscene_scene.x3d')),
+  const draws = (viewer, page, file, settle) => {
+    if (has(file) && browser)
+      runner.add(`${scene}: ${viewer} draws ${file}`, 300, () =>
+        drawsByRemoval(at(page, `/scene/${file}`), picture(`${page}_${file}`), page === 'xite' ? CLOUD_NODES : [], settle),
       );
-    }
-    await draws('three.js', 'three', 'scene.splats.glb');
-    await draws('Babylon.js', 'babylon', 'scene.splats.glb', 3000);
-    await draws('three.js', 'three', 'scene.glb');
-    await draws('Babylon.js', 'babylon', 'scene.glb');
-    if (has('tileset.json') && browser) await checkTiles(runner, scene, folder, picture);
-  } finally {
-    server.close();
+  };
+  draws('X_ITE', 'xite', 'scene.x3d', 3000);
+  draws('X_ITE', 'xite', 'scene.wrl', 3000);
+  if (has('scene.x3d')) {
+    if (browser)
+      runner.add(`${scene}: X3DOM draws scene.x3d`, 400, () =>
+        drawsByComparison(at('x3dom', '/scene/scene.x3d'), at('x3dom', '/empty.x3d'), picture('x3dom_scene.x3d')),
+      );
+    runner.add(`${scene}: view3dscene draws scene.x3d`, 200, () =>
+      view3dsceneDraws(join(folder, 'scene.x3d'), emptyFile, picture('view3dscene_scene.x3d')),
+    );
   }
+  draws('three.js', 'three', 'scene.splats.glb');
+  draws('Babylon.js', 'babylon', 'scene.splats.glb', 3000);
+  draws('three.js', 'three', 'scene.glb');
+  draws('Babylon.js', 'babylon', 'scene.glb');
+  if (has('tileset.json') && browser) await checkTiles(runner, scene, folder, picture);
   for (const file of ['scene.glb', 'scene.splats.glb'])
-    if (has(file)) await runner.run(`${scene}: gltf-validator has nothing against ${file}`, 120, () => glbIsClean(join(folder, file)));
-  if (has('tileset.json')) await runner.run(`${scene}: gltf-validator has nothing against tiles/`, 240, () => tilesAreClean(join(folder, 'tiles')));
-  await runner.run(`${scene}: report.json fits its schema`, 20, () => jsonIsValid(join(folder, 'report.json'), join(repository, 'schemas/report.schema.json')));
+    if (has(file)) runner.addAlone(`${scene}: gltf-validator has nothing against ${file}`, 120, () => glbIsClean(join(folder, file)));
+  if (has('tileset.json')) runner.addAlone(`${scene}: gltf-validator has nothing against tiles/`, 240, () => tilesAreClean(join(folder, 'tiles')));
+  runner.addAlone(`${scene}: report.json fits its schema`, 20, () => jsonIsValid(join(folder, 'report.json'), join(repository, 'schemas/report.schema.json')));
 }
 
 /** CesiumJS draws packed splats and cards, three.js plain splats. */
@@ -92,7 +89,7 @@ async function checkTiles(runner, scene, folder, picture) {
   const used = tileset.extensions['3DTILES_content_gltf'].extensionsUsed.join();
   const isForCesium = used.includes('spz') || !used.includes('splatting');
   const [viewer, page] = isForCesium ? ['CesiumJS', 'cesium'] : ['3d-tiles-renderer', 'tiles'];
-  await runner.run(`${scene}: ${viewer} has the clouds of tileset.json in place`, 300, async () => {
+  runner.add(`${scene}: ${viewer} has the clouds of tileset.json in place`, 300, async () => {
     const server = await serve(folder, isForCesium ? {'/cesium_page.js': await cesiumPage()} : {});
     try {
       return await tilesStandInPlace(`${server.address}/pages/${page}.html?tileset=/scene/tileset.json`, folder, picture(`${page}_tileset`));
@@ -106,7 +103,7 @@ async function checkRecipes(runner) {
   const folder = join(repository, 'templates/types');
   const recipes = existsSync(folder) ? (await readdir(folder)).filter((file) => file.endsWith('.json')).sort() : [];
   for (const recipe of recipes)
-    await runner.run(`templates/types/${recipe} fits its schema`, 20, () => jsonIsValid(join(folder, recipe), join(repository, 'schemas/recipe.schema.json')));
+    runner.addAlone(`templates/types/${recipe} fits its schema`, 20, () => jsonIsValid(join(folder, recipe), join(repository, 'schemas/recipe.schema.json')));
 }
 
 try {
@@ -114,7 +111,7 @@ try {
   const runner = new Runner(options.only);
   for (const folder of options.scenes) await checkScene(runner, folder, options.page);
   if (!options.page) await checkRecipes(runner);
-  process.exitCode = runner.finish();
+  process.exitCode = await runner.finish();
 } catch (error) {
   console.error(error.message);
   process.exitCode = 2;
