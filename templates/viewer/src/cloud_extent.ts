@@ -34,7 +34,7 @@ export function cloudExtent(pack: PackView, frame: Frame): CloudExtent {
   const cells = new Map<number, Cell>();
   const side = Math.max(8_000, frame.size / 100);
   const keyOf = (x: number, z: number) => Math.floor(x / side) * 65536 + Math.floor(z / side);
-  const all = {clouds: pack.clouds, slackMeters: 0, hidden: new Uint8Array(pack.clouds.count), exaggeration: 1};
+  const all = {clouds: pack.clouds, velocities: new Float32Array(0), slackMeters: 0, hidden: new Uint8Array(pack.clouds.count), exaggeration: 1};
   eachCoarsePuff(pack, all, (x, y, z, deviation, opticalDepth) => {
     xs.push(x);
     ys.push(y);

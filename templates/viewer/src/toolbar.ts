@@ -30,13 +30,13 @@ export function connectControls(viewer: Viewer): void {
     KeyP: () => void saveScreenshot(viewer),
     KeyH: toggleHelp,
     Enter: () => void viewer.pickAt(),
-    Space: () => viewer.mode === 'follow' && button('path-play').click(),
+    Space: () => button(viewer.mode === 'follow' ? 'path-play' : 'time-play').click(),
   };
   VIEW_NAMES.forEach((name, i) => (commands[`Digit${i + 1}`] = () => viewer.setView(name)));
   window.addEventListener('keydown', (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey || event.repeat) return;
     if (help.open && event.code !== 'KeyH') return;
-    const onControl = event.target instanceof Element && event.target.closest('button, summary, input, a') !== null;
+    const onControl = event.target instanceof Element && event.target.closest('button, summary, input, select, a') !== null;
     if (onControl && (event.code === 'Enter' || event.code === 'Space')) return;
     const command = commands[event.code] ?? (event.key === '?' ? toggleHelp : undefined);
     if (!command) return;

@@ -16,6 +16,7 @@ import type {PackView} from './pack/pack_view';
 import type {Shape} from './pack/quads';
 import type {Layers, ListOrder, SkyMaker} from './pack/sky_maker';
 import type {SkyClient} from './pack/sky_client';
+import type {Moment} from './pack/timeline';
 import {pathAbout, type FlightPath} from './path';
 import {forwardOf, orbited, panned, poseTowards, sideOf, targetOf, turned, zoomed, type Pose} from './pose';
 import {Quality} from './quality';
@@ -63,6 +64,8 @@ export class Viewer {
   readonly lines: GroundLines;
   path: FlightPath;
   sun: SunPlace;
+  /** What time of a sky that moves is shown, seconds from the pack's valid time. */
+  seconds = 0;
 
   private pose: Pose = {eye: [0, 1000, 0], heading: 0, pitch: 0, reach: 1000};
   private readonly controls: Controls;
@@ -80,6 +83,8 @@ export class Viewer {
   private listing = false;
   private listAgain = false;
   private nearestMeters = 1000;
+  /** The time that the list was made for. */
+  private moment: Moment = {seconds: 0, from: 0, to: 0};
   private cloudsShown = true;
   private turnFrom = 0;
   private readonly wanted = new Map<string, unknown>();
@@ -221,6 +226,8 @@ export class Viewer {
   }
 
   setTime(seconds: number): Promise<void> {
+    this.seconds = seconds;
+    this.touch();
     return this.changeSky('setTime', seconds);
   }
 
@@ -233,16 +240,20 @@ export class Viewer {
     this.wanted.set(method, value);
     while (this.changing) await this.changing;
     if (!this.wanted.has(method)) return;
-    this.changing = (async () => {
-      const latest = this.wanted.get(method);
-      this.wanted.delete(method);
-      await (this.sky.call as (name: string, value: unknown) => Promise<void>)(method, latest);
-      this.skyChanged();
-      await this.askList();
-    })();
+    this.changing = this.makeWanted();
     await this.changing.finally(() => (this.changing = null));
-    window.clearTimeout(this.shading);
-    this.shading = window.setTimeout(() => void this.shadeGround(), SHADE_MILLISECONDS);
+    this.shading ||= window.setTimeout(() => void this.shadeGround(), SHADE_MILLISECONDS);
+  }
+
+  private async makeWanted(): Promise<void> {
+    const calls = [...this.wanted].map(([method, value]) => (this.sky.call as (name: string, value: unknown) => Promise<void>)(method, value));
+    this.wanted.clear();
+    const start = performance.now();
+    await Promise.all(calls);
+    this.skyChanged();
+    await this.askList();
+    // While the sky goes on and on, the worker leaves as much time to the drawing as it takes itself.
+    if (this.wanted.size > 0) await new Promise((later) => window.setTimeout(later, Math.min(200, performance.now() - start)));
   }
 
   showClouds(shown: boolean): void {
@@ -293,6 +304,7 @@ export class Viewer {
   /** One frame as while the view moves, without waiting for the screen. */
   drawNow(): void {
     this.fitCanvas(this.renderer.pace.canvas);
+    this.renderer.quick.aheadSeconds = clamp(this.seconds, this.moment.from, this.moment.to) - this.moment.seconds;
     this.renderer.drawQuick(this.camera, this.near(), this.exaggeration);
     ++this.frames;
     if (this.needsList()) void this.askList();
@@ -372,7 +384,9 @@ export class Viewer {
     try {
       const list = await this.sky.call('list', this.orderFor(coarse, 'triangles', 0.12, margin, QUICK_ERROR_PIXELS, pace.mostPuffs));
       this.nearestMeters = Number.isFinite(list.nearestMeters) ? Math.max(list.nearestMeters, 200) : 20_000;
-      this.renderer.quick.set(this.cloudsShown ? list.buffer : new ArrayBuffer(0));
+      if (this.cloudsShown) this.renderer.quick.set(list.buffer, list.motions);
+      else this.renderer.quick.set(new ArrayBuffer(0));
+      this.moment = list.moment;
       this.listed = {camera, margin};
     } finally {
       this.listing = false;
@@ -400,6 +414,7 @@ export class Viewer {
   }
 
   private async shadeGround(): Promise<void> {
+    this.shading = 0;
     const light = await this.sky.call('sunlight', this.area);
     this.backdrop.setSunlight(light);
     this.touch();

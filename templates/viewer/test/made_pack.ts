@@ -30,6 +30,8 @@ export interface Made {
   version?: number;
   /** Of the first cloud, at 3600 s. */
   shift?: [number, number, number];
+  /** The clouds that are there at 0 s and at 3600 s; all if not given. */
+  there?: [number[], number[]];
   archetypeOfFirst?: number;
 }
 
@@ -48,7 +50,7 @@ function vector(builder: Builder, size: number, count: number, alignment: number
   return builder.endVector();
 }
 
-export function madePack({clouds, version = 1, shift, archetypeOfFirst = 0}: Made): ArrayBuffer {
+export function madePack({clouds, version = 1, shift, there, archetypeOfFirst = 0}: Made): ArrayBuffer {
   const builder = new Builder(4096);
   const sixteen = (value: number) => Array.from({length: 16}, () => value);
   const sunScale = Archetype.createSunScaleVector(builder, [3.5, ...sixteen(0).slice(1)]);
@@ -98,10 +100,13 @@ export function madePack({clouds, version = 1, shift, archetypeOfFirst = 0}: Mad
   const keyframes = RuntimePack.createKeyframesVector(
     builder,
     seconds.map((time, k) => {
-      const motions = vector(builder, 20, clouds.length, 4, (i) => Motion.createMotion(builder, ...(k && i === 0 ? shift! : [0, 0, 0]) as [number, number, number], 1, 1));
+      const named = there?.[k] ?? clouds.map((_, i) => i);
+      const motions = vector(builder, 20, named.length, 4, (i) => Motion.createMotion(builder, ...(k && named[i] === 0 ? shift! : [0, 0, 0]) as [number, number, number], 1, 1));
+      const cloudsAt = there ? Keyframe.createCloudsVector(builder, named) : 0;
       Keyframe.startKeyframe(builder);
       Keyframe.addSeconds(builder, time);
       Keyframe.addMotions(builder, motions);
+      if (there) Keyframe.addClouds(builder, cloudsAt);
       return Keyframe.endKeyframe(builder);
     }),
   );

@@ -144,6 +144,36 @@ test('clouds move between keyframes', () => {
   assert.ok(timeline.slackMeters >= 600);
 });
 
+test('a cloud that is not at both keyframes is not there between them', () => {
+  const timeline = new Timeline(PackView.open(madePack({clouds: [ahead, ahead, ahead], shift: [600, 0, 0], there: [[0, 1], [0, 2]]})));
+  const there = (seconds: number) => {
+    timeline.setTime(seconds);
+    return [0, 1, 2].map((i) => timeline.clouds.factor(i) > 0);
+  };
+  assert.deepEqual(there(1800), [true, false, false]);
+  assert.deepEqual([timeline.clouds.floats[0], timeline.clouds.floats[6]], [300, 0]);
+  assert.deepEqual(there(0), [true, true, false]);
+  const refused = (there: [number[], number[]]) => assert.throws(() => PackView.open(madePack({clouds: [ahead, ahead], shift: [1, 0, 0], there})), /keyframe names/);
+  refused([[0, 1], [0, 2]]);
+  refused([[0, 1], [1, 0]]);
+});
+
+test('between two lists the corners of puffs go on as their clouds do', () => {
+  const sky = new SkyMaker(madePack({clouds: [ahead], shift: [600, 0, -300]}));
+  sky.setSun({azimuthDegrees: 180, elevationDegrees: 45});
+  const listAt = (seconds: number) => {
+    sky.setTime(seconds);
+    return sky.list(order({shape: 'triangles', marginRadians: 0.5}));
+  };
+  const [early, late] = [listAt(900), listAt(2700)];
+  assert.equal(early.count, late.count);
+  assert.deepEqual({...early.moment}, {seconds: 900, from: 0, to: 3600});
+  const [from, to, motion] = [early.buffer, late.buffer, early.motions!].map((buffer) => new Float32Array(buffer));
+  // The puff nearest to the eye is the last of both lists; it turns a little as it goes by.
+  const last = 12 * (early.count - 1);
+  for (const k of [0, 2]) assert.ok(Math.abs(from[last + k] + 1800 * motion[9 * (early.count - 1) + k] - to[last + k]) < 60, `${k}`);
+});
+
 test('the shadow of a cloud lies away from the sun', () => {
   const sky = skyOf({x: 5000, y: 1000, z: 5000});
   const light = sky.sunlight({lower: [0, 0], width: 10_000, depth: 10_000, groundMeters: 0});

@@ -9,6 +9,7 @@ import {distance, normalized, type Vec3} from '../src/math';
 import {FlightPath} from '../src/path';
 import {orbited, poseTowards, targetOf, zoomed} from '../src/pose';
 import {Quality} from '../src/quality';
+import {TimePlayer} from '../src/time_player';
 import {minuteOfDay, sunAt} from '../src/sun_clock';
 
 test('heights in metres, feet and flight levels', () => {
@@ -72,4 +73,20 @@ test('the pace gets coarser when frames are slow, and is not tried finer at once
 
 test("a cloud's number tells its cell", () => {
   assert.deepEqual(cellOf({id: (1234n << 32n) | (3n << 24n) | 56n}), {cell: 1234n, layer: 3, number: 56});
+});
+
+test('a sky is played from its time on, and at the end from its start', () => {
+  const shown: number[] = [];
+  let next: ((milliseconds: number) => void) | null = null;
+  const player = new TimePlayer(0, 3600, 1800, (seconds) => shown.push(seconds), (step) => (next = step));
+  player.speed = 3600;
+  player.play();
+  for (const now of [5000, 5100, 5200, 9000, 9200]) next!(now);
+  // 100 ms a frame; the long wait counts as a quarter of a second.
+  assert.deepEqual(shown.map(Math.round), [1800, 2160, 2520, 3420, 0]);
+  player.pause();
+  next!(9300);
+  assert.equal(shown.length, 5);
+  player.goTo(9999);
+  assert.equal(player.seconds, 3600);
 });

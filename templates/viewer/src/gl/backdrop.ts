@@ -93,20 +93,26 @@ void main() {
   color = vec4(disc);
 }`;
 
-/** Colours of the ground in the sun and in shadow; what is left in a shadow is light of the blue sky. */
-const SHADED_GLSL = `
+/** What a place of the ground is: land (or sea), in the sun (or in shadow), inside of the scene's rectangle. */
+const PLACE_GLSL = `
 uniform sampler2D u_map, u_sunlight;
-uniform float u_sunShare;
 /** across: in widths and depths of the scene's rectangle. */
-vec3 shaded(vec3 ground, vec2 across) {
+vec3 placeAt(vec2 inMap, vec2 across) {
   vec2 inside = step(abs(across - 0.5), vec2(0.5));
   float box = inside.x * inside.y;
-  float lit = mix(1.0, texture(u_sunlight, across).r, box);
-  return ground * mix(0.88, 1.0, box) * mix(vec3(1.0 - u_sunShare, 1.0 - 0.96 * u_sunShare, 1.0 - 0.84 * u_sunShare), vec3(1.0), lit);
+  return vec3(texture(u_map, inMap).r, mix(1.0, texture(u_sunlight, across).r, box), box);
 }
 `;
 
-/** The flat ground is painted once for a sun, from above, into a texture: a frame then costs one look into it. */
+/** Its colour; what is left in a shadow is light of the blue sky. */
+const SHADED_GLSL = `
+uniform vec3 u_sea, u_inShadow;
+vec3 shaded(vec3 land, vec3 place) {
+  return mix(u_sea, land, place.x) * mix(u_inShadow, vec3(1.0), place.y) * (0.88 + 0.12 * place.z);
+}
+`;
+
+/** What the flat ground is, is painted once from above, into a texture: a frame then costs one look into it, whatever the sun. */
 const PAINT_VERTEX = `
 out vec2 v_at;
 void main() {
@@ -117,11 +123,10 @@ void main() {
 const PAINT_FRAGMENT = `
 in vec2 v_at;
 uniform vec4 u_mapArea;
-uniform vec3 u_land, u_sea;
-${SHADED_GLSL}
+${PLACE_GLSL}
 out vec4 color;
 void main() {
-  color = vec4(shaded(mix(u_sea, u_land, texture(u_map, v_at).r), u_mapArea.xy + v_at * u_mapArea.zw), 1.0);
+  color = vec4(placeAt(v_at, u_mapArea.xy + v_at * u_mapArea.zw), 1.0);
 }`;
 
 /** A disc about the point under the eye, out to the horizon. */
@@ -141,12 +146,13 @@ void main() {
 
 const FLAT_FRAGMENT = (terrain: boolean) => `
 in vec4 v_at;
-uniform vec3 u_horizon;
+uniform vec3 u_horizon, u_land;
 uniform sampler2D u_painted;
+${SHADED_GLSL}
 ${CLOUDS_GLSL(terrain)}
 out vec4 color;
 void main() {
-  color = vec4(behindClouds(mix(u_horizon, texture(u_painted, v_at.xy).rgb, v_at.z), v_at.w), 1.0);
+  color = vec4(behindClouds(mix(u_horizon, shaded(u_land, texture(u_painted, v_at.xy).rgb), v_at.z), v_at.w), 1.0);
 }`;
 
 const RELIEF_VERTEX = `
@@ -172,14 +178,15 @@ void main() {
 const RELIEF_FRAGMENT = `
 in vec4 v_at;
 in vec3 v_relief;
-uniform vec3 u_horizon, u_sea;
+uniform vec3 u_horizon;
 uniform vec4 u_mapArea;
+${PLACE_GLSL}
 ${SHADED_GLSL}
 ${CLOUDS_GLSL(true)}
 out vec4 color;
 void main() {
-  float land = texture(u_map, (v_at.xy - u_mapArea.xy) / u_mapArea.zw).r;
-  color = vec4(behindClouds(mix(u_horizon, shaded(mix(u_sea, v_relief, land), v_at.xy), v_at.z), v_at.w), 1.0);
+  vec3 place = placeAt((v_at.xy - u_mapArea.xy) / u_mapArea.zw, v_at.xy);
+  color = vec4(behindClouds(mix(u_horizon, shaded(v_relief, place), v_at.z), v_at.w), 1.0);
 }`;
 
 const LINE_VERTEX = `
@@ -272,7 +279,6 @@ export class Backdrop {
   }
 
   setDaylight(daylight: Daylight, sun: Vec3): void {
-    this.isPainted = false;
     this.zenith = displayColor(daylight.zenith);
     this.horizon = displayColor(daylight.horizon);
     this.soil = daylight.ground;
@@ -335,7 +341,8 @@ export class Backdrop {
     if (camera.eye[1] > this.area.groundMeters) {
       this.common(this.flat, camera, exaggeration, near, clouds);
       this.where(this.flat, clip);
-      this.flat.texture('u_painted', 1, this.painted.color!);
+      this.shade(this.flat);
+      this.flat.set('u_land', ...this.land).texture('u_painted', 1, this.painted.color!);
       this.plain.draw();
     }
     if (this.terrain) {
@@ -366,6 +373,7 @@ export class Backdrop {
     this.common(this.relief!, camera, exaggeration, near, clouds);
     this.where(this.relief!, clip);
     this.shade(this.relief!);
+    this.places(this.relief!);
     this.relief!.set('u_sun', ...this.sun).set('u_soil', ...this.soil);
     this.terrain!.draw();
     gl.depthMask(false);
@@ -418,11 +426,12 @@ export class Backdrop {
 
   private shade(program: Program): void {
     // A low sun casts long shadows that fade into the light of the sky.
-    program
-      .set('u_sea', ...this.sea)
-      .set('u_sunShare', 0.5 * clamp(this.sun[1] / 0.25, 0, 1))
-      .texture('u_map', 1, this.map)
-      .texture('u_sunlight', 2, this.sunlight);
+    const share = 0.5 * clamp(this.sun[1] / 0.25, 0, 1);
+    program.set('u_sea', ...this.sea).set('u_inShadow', 1 - share, 1 - 0.96 * share, 1 - 0.84 * share);
+  }
+
+  private places(program: Program): void {
+    program.texture('u_map', 1, this.map).texture('u_sunlight', 2, this.sunlight);
   }
 
   /** Paints the flat ground; the caller's target is to be bound anew. */
@@ -431,8 +440,8 @@ export class Backdrop {
     const {gl} = this;
     this.painted.resize(PAINTED_PIXELS, PAINTED_PIXELS);
     this.painted.bind();
-    this.paint.use().set('u_mapArea', ...this.mapPlace).set('u_land', ...this.land);
-    this.shade(this.paint);
+    this.paint.use().set('u_mapArea', ...this.mapPlace);
+    this.places(this.paint);
     gl.disable(gl.DEPTH_TEST);
     gl.bindVertexArray(this.empty);
     gl.drawArrays(gl.TRIANGLES, 0, 3);

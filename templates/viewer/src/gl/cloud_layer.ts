@@ -29,12 +29,14 @@ void main() {
 const TRIANGLE_VERTEX = `
 layout(location = 0) in vec3 place;
 layout(location = 1) in vec4 color;
+layout(location = 2) in vec3 motion;
 uniform mat4 u_clip;
+uniform float u_ahead;
 out vec2 v_corner;
 flat out vec4 v_color;
 const vec2 corners[3] = vec2[3](${[0, 2, 4].map((i) => `vec2(${TRIANGLE[i].toFixed(6)}, ${TRIANGLE[i + 1].toFixed(6)})`).join(', ')});
 void main() {
-  gl_Position = u_clip * vec4(place, 1.0);
+  gl_Position = u_clip * vec4(place + u_ahead * motion, 1.0);
   v_corner = corners[gl_VertexID % 3];
   v_color = color;
 }`;
@@ -56,16 +58,19 @@ void main() {
  */
 export class PuffList {
   count = 0;
+  /** How many seconds of the pack's time later than it was made the list is drawn. */
+  aheadSeconds = 0;
   private readonly vao: WebGLVertexArrayObject;
-  private readonly vertices: WebGLBuffer;
-  private capacity = 0;
+  private readonly vertices: VertexBuffer;
+  private readonly motions: VertexBuffer;
 
   constructor(private readonly gl: GL, readonly shape: Shape, private readonly indices: QuadIndices) {
     this.vao = gl.createVertexArray();
-    this.vertices = gl.createBuffer();
+    this.vertices = new VertexBuffer(gl);
+    this.motions = new VertexBuffer(gl);
     const bytes = shape === 'quads' ? CORNER_BYTES + 4 : CORNER_BYTES;
     gl.bindVertexArray(this.vao);
-    gl.bindBuffer(gl.ARRAY_BUFFER, this.vertices);
+    this.vertices.bind();
     gl.enableVertexAttribArray(0);
     gl.vertexAttribPointer(0, 3, gl.FLOAT, false, bytes, 0);
     gl.enableVertexAttribArray(1);
@@ -77,15 +82,25 @@ export class PuffList {
     gl.bindVertexArray(null);
   }
 
-  set(buffer: ArrayBuffer): void {
-    const {gl} = this;
+  set(buffer: ArrayBuffer, motions: ArrayBuffer | null = null): void {
     this.count = buffer.byteLength / bytesOf(this.shape);
-    gl.bindBuffer(gl.ARRAY_BUFFER, this.vertices);
-    if (buffer.byteLength > this.capacity) {
-      this.capacity = Math.ceil(1.3 * buffer.byteLength);
-      gl.bufferData(gl.ARRAY_BUFFER, this.capacity, gl.DYNAMIC_DRAW);
+    this.vertices.set(buffer);
+    this.aheadSeconds = 0;
+    if (this.shape === 'triangles') this.setMotions(motions);
+  }
+
+  private setMotions(motions: ArrayBuffer | null): void {
+    const {gl} = this;
+    gl.bindVertexArray(this.vao);
+    if (motions) {
+      this.motions.set(motions);
+      gl.enableVertexAttribArray(2);
+      gl.vertexAttribPointer(2, 3, gl.FLOAT, false, 12, 0);
+    } else {
+      gl.disableVertexAttribArray(2);
+      gl.vertexAttrib3f(2, 0, 0, 0);
     }
-    gl.bufferSubData(gl.ARRAY_BUFFER, 0, new Uint8Array(buffer));
+    gl.bindVertexArray(null);
   }
 
   draw(first: number, count: number): void {
@@ -98,6 +113,30 @@ export class PuffList {
       gl.drawElements(gl.TRIANGLES, 6 * count, gl.UNSIGNED_INT, 24 * first);
     }
     gl.bindVertexArray(null);
+  }
+}
+
+/** Bytes that are replaced often. */
+class VertexBuffer {
+  private readonly buffer: WebGLBuffer;
+  private capacity = 0;
+
+  constructor(private readonly gl: GL) {
+    this.buffer = gl.createBuffer();
+  }
+
+  bind(): void {
+    this.gl.bindBuffer(this.gl.ARRAY_BUFFER, this.buffer);
+  }
+
+  set(bytes: ArrayBuffer): void {
+    const {gl} = this;
+    this.bind();
+    if (bytes.byteLength > this.capacity) {
+      this.capacity = Math.ceil(1.3 * bytes.byteLength);
+      gl.bufferData(gl.ARRAY_BUFFER, this.capacity, gl.DYNAMIC_DRAW);
+    }
+    gl.bufferSubData(gl.ARRAY_BUFFER, 0, new Uint8Array(bytes));
   }
 }
 
@@ -133,6 +172,7 @@ export class CloudPainter {
   draw(list: PuffList, first: number, count: number, clip: Float32Array, behindTerrain: boolean): void {
     const {gl} = this;
     const program = this.programs[list.shape].use().matrix('u_clip', clip);
+    if (list.shape === 'triangles') program.set('u_ahead', list.aheadSeconds);
     if (list.shape === 'quads') program.texture('u_sprites', 3, this.sprites, gl.TEXTURE_2D_ARRAY);
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);

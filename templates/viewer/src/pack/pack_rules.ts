@@ -25,7 +25,7 @@ export function requireSound(buffer: ByteBuffer): RuntimePack {
     requireArchetypes(root);
     requireClouds(root);
     requireLight(root);
-    requireKeyframes(root);
+    requireKeyframes(root, buffer.capacity());
     return root;
   } catch (error) {
     const what = error instanceof Unsound ? error.message : 'the pack is cut short or damaged';
@@ -144,14 +144,27 @@ function requireLight(root: RuntimePack): void {
   );
 }
 
-function requireKeyframes(root: RuntimePack): void {
+function requireKeyframes(root: RuntimePack, bytes: number): void {
+  const clouds = root.instancesLength();
   let before = -Infinity;
   for (let k = 0; k < root.keyframesLength(); ++k) {
     const frame = root.keyframes(k)!;
     demand(Number.isFinite(frame.seconds()) && frame.seconds() > before, 'time does not go forward');
     before = frame.seconds();
     const motions = frame.motionsLength();
-    demand(motions === 0 || motions === root.instancesLength(), 'a keyframe does not move every cloud');
+    const named = frame.cloudsArray();
+    if (named) {
+      demand(named.length === motions, 'a keyframe does not move every cloud that it names');
+      let last = -1;
+      for (const cloud of named) {
+        demand(cloud > last && cloud < clouds, 'a keyframe names a cloud that is not there');
+        last = cloud;
+      }
+    }
+    if (motions === 0) continue;
+    demand(named !== null || motions === clouds, 'a keyframe does not move every cloud');
+    const first = frame.motions(0)!.bb_pos;
+    demand(first % 4 === 0 && first + 20 * motions <= bytes, 'the pack is cut short or damaged');
     for (let i = 0; i < motions; ++i) {
       const motion = frame.motions(i)!;
       demand(

@@ -30,6 +30,8 @@ const displayed = (linear: number): number => DISPLAY[Math.min(1024, Math.round(
 
 export interface Quads {
   buffer: ArrayBuffer;
+  /** Of a sky that moves, triangles alone: how far each corner goes in a second of the pack's time, x, y, z. */
+  motions: ArrayBuffer | null;
   count: number;
   /** Pixels of the camera's picture that they cover together, each for itself. */
   fillPixels: number;
@@ -89,6 +91,7 @@ export class QuadMaker {
   private readonly axes = new Float64Array(4);
   private floats = new Float32Array(0);
   private words = new Uint32Array(0);
+  private motions = new Float32Array(0);
   private horizon = [0, 0, 0];
 
   constructor(private readonly pack: PackView, private readonly lighting: Lighting) {
@@ -122,6 +125,8 @@ export class QuadMaker {
     const buffer = new ArrayBuffer(bytes * order.length);
     this.floats = new Float32Array(buffer);
     this.words = new Uint32Array(buffer);
+    const moves = shape === 'triangles' && set.velocities.length > 0;
+    this.motions = new Float32Array(moves ? 9 * order.length : 0);
     this.horizon = displayColor(this.lighting.daylight.horizon).map((value) => 255 * value);
     const locked = new Map<number, Vec3>();
     const square = focalPixels(camera) ** 2;
@@ -139,10 +144,12 @@ export class QuadMaker {
       const color = this.colorOf(cloud, puff, set, camera, alpha);
       if (shape === 'triangles') this.writeTriangle(count, color);
       else this.writeQuad(count, color, this.layerOf(cloud, puff, set));
+      if (moves) this.writeMotion(count, cloud, set);
       ++count;
     }
     this.locked = locked;
-    return {buffer: count === order.length ? buffer : buffer.slice(0, bytes * count), count, fillPixels};
+    const motions = moves ? this.motions.buffer.slice(0, 36 * count) : null;
+    return {buffer: count === order.length ? buffer : buffer.slice(0, bytes * count), motions, count, fillPixels};
   }
 
   /** Where the puff stands in drawn metres, and its covariance. */
@@ -244,6 +251,17 @@ export class QuadMaker {
 
   private writeTriangle(index: number, color: number): void {
     for (let corner = 0; corner < 3; ++corner) this.writeCorner(12 * index + 4 * corner, TRIANGLE[2 * corner], TRIANGLE[2 * corner + 1], color);
+  }
+
+  /** A corner goes with its cloud, and away from the cloud's origin as it grows. */
+  private writeMotion(index: number, cloud: number, {clouds, velocities, exaggeration: e}: CloudSet): void {
+    const growth = velocities[4 * cloud + 3];
+    for (let corner = 0; corner < 3; ++corner)
+      for (let k = 0; k < 3; ++k) {
+        const stretch = k === 1 ? e : 1;
+        const away = this.floats[12 * index + 4 * corner + k] - stretch * clouds.floats[6 * cloud + k];
+        this.motions[9 * index + 3 * corner + k] = stretch * velocities[4 * cloud + k] + growth * away;
+      }
   }
 
   private writeQuad(index: number, color: number, layer: number): void {

@@ -14,6 +14,8 @@ export interface Detail {
 
 export interface CloudSet {
   clouds: Clouds;
+  /** Of a sky that moves: see Timeline. */
+  velocities: Float32Array;
   slackMeters: number;
   /** 1 for clouds that are not shown. */
   hidden: Uint8Array;

@@ -8,7 +8,7 @@ import {PackView} from './pack_view';
 import {cloudAlong, type Picked} from './pick';
 import {QuadMaker, type Shape} from './quads';
 import {Selection, sortedByKey, type CloudSet, type Detail} from './selection';
-import {Timeline} from './timeline';
+import {Timeline, type Moment} from './timeline';
 
 /** Which clouds are shown: genera by abbreviation, and levels by the height of the base. */
 export interface Layers {
@@ -26,6 +26,10 @@ export interface ListOrder {
 
 export interface List {
   buffer: ArrayBuffer;
+  /** See Quads. */
+  motions: ArrayBuffer | null;
+  /** What time it shows. */
+  moment: Moment;
   /** Puffs, the farthest first. */
   count: number;
   fillPixels: number;
@@ -61,6 +65,7 @@ export class SkyMaker {
     this.quads = new QuadMaker(this.pack, this.lighting);
     this.set = {
       clouds: this.timeline.clouds,
+      velocities: this.timeline.velocities,
       slackMeters: this.timeline.slackMeters,
       hidden: new Uint8Array(this.pack.clouds.count),
       exaggeration: 1,
@@ -96,6 +101,7 @@ export class SkyMaker {
     const sorted = sortedByKey(selection.keys, selection.count);
     return {
       ...this.quads.quadsOf(selection, sorted, this.set, order.camera, order.shape),
+      moment: this.timeline.now,
       clouds: selection.cloudCount,
       nearestMeters: selection.nearestMeters,
       milliseconds: performance.now() - start,

@@ -17,12 +17,17 @@ let sky: SkyMaker | null = null;
 self.onmessage = ({data}: MessageEvent<Call>) => {
   try {
     const result = answerTo(data);
-    const moved = result && typeof result === 'object' && 'buffer' in result ? [result.buffer as ArrayBuffer] : [];
-    (self as unknown as Worker).postMessage({result} satisfies Answer, moved);
+    (self as unknown as Worker).postMessage({result} satisfies Answer, buffersOf(result));
   } catch (error) {
     (self as unknown as Worker).postMessage({error: error instanceof Error ? error.message : String(error)} satisfies Answer);
   }
 };
+
+/** What is handed over, not copied. */
+function buffersOf(result: unknown): ArrayBuffer[] {
+  if (!result || typeof result !== 'object') return [];
+  return (ArrayBuffer.isView(result) ? [result.buffer] : Object.values(result)).filter((value) => value instanceof ArrayBuffer);
+}
 
 function answerTo(call: Call): unknown {
   if (call.method === 'open') {
