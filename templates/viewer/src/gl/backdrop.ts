@@ -7,6 +7,7 @@ import {axesOf} from '../camera';
 import {clamp, type Vec3} from '../math';
 import type {Daylight} from '../pack/daylight';
 import {SHADOW_CELLS, type Area} from '../pack/ground_shadow';
+import {SKY_COLUMNS, SKY_GLSL, SKY_ROWS, SkyTable} from '../pack/sky_table';
 import {byteTexture, Mesh, Program, Target, type GL} from './gl';
 
 /** Of the painted ground, across. */
@@ -54,13 +55,13 @@ vec3 behindClouds(vec3 color, float depth) {
 /** A lattice over the screen: the sky's colours change slowly enough to be known at its points. */
 const SKY_VERTEX = `
 layout(location = 0) in vec2 corner;
-uniform vec3 u_right, u_up, u_forward, u_zenith, u_horizon, u_sunColor, u_sun;
+uniform vec3 u_right, u_up, u_forward, u_sunColor, u_sun;
+${SKY_GLSL}
 out vec3 v_sky;
 void main() {
   vec3 way = normalize(u_forward + corner.x * u_right + corner.y * u_up);
-  float towards = max(dot(way, u_sun), 0.0);
-  vec3 sky = mix(u_zenith, u_horizon, exp(-3.5 * max(way.y, 0.0)));
-  v_sky = mix(sky, u_sunColor, 0.1 * pow(towards, 6.0) + 0.28 * pow(towards, 90.0));
+  vec3 sky = skyAt(way);
+  v_sky = sky + (1.0 - sky) * u_sunColor * (0.3 * pow(max(dot(way, u_sun), 0.0), 90.0));
   gl_Position = vec4(corner, 1.0, 1.0);
 }`;
 
@@ -137,22 +138,26 @@ uniform float u_ground, u_depth;
 uniform vec3 u_area;
 uniform vec4 u_mapArea;
 ${AIR_GLSL}
+${SKY_GLSL}
 out vec4 v_at;
+out vec3 v_haze;
 void main() {
   vec3 world = vec3(place.x + u_eye.x, u_ground, place.z + u_eye.z);
   gl_Position = u_clip * vec4(world, 1.0);
   v_at = vec4(((world.xz - u_area.xy) / vec2(u_area.z, u_depth) - u_mapArea.xy) / u_mapArea.zw, clarity(world), gl_Position.w);
+  v_haze = hazeTowards(world - u_eye);
 }`;
 
 const FLAT_FRAGMENT = (terrain: boolean) => `
 in vec4 v_at;
-uniform vec3 u_horizon, u_land;
+in vec3 v_haze;
+uniform vec3 u_land;
 uniform sampler2D u_painted;
 ${SHADED_GLSL}
 ${CLOUDS_GLSL(terrain)}
 out vec4 color;
 void main() {
-  color = vec4(behindClouds(mix(u_horizon, shaded(u_land, texture(u_painted, v_at.xy).rgb), v_at.z), v_at.w), 1.0);
+  color = vec4(behindClouds(mix(v_haze, shaded(u_land, texture(u_painted, v_at.xy).rgb), v_at.z), v_at.w), 1.0);
 }`;
 
 const RELIEF_VERTEX = `
@@ -162,12 +167,14 @@ uniform mat4 u_clip;
 uniform float u_ground, u_depth;
 uniform vec3 u_area, u_sun, u_soil;
 ${AIR_GLSL}
+${SKY_GLSL}
 out vec4 v_at;
-out vec3 v_relief;
+out vec3 v_relief, v_haze;
 void main() {
   vec3 world = vec3(place.x, (place.y + u_ground) * u_exaggeration, place.z);
   gl_Position = u_clip * vec4(world, 1.0);
   v_at = vec4((world.xz - u_area.xy) / vec2(u_area.z, u_depth), clarity(world), gl_Position.w);
+  v_haze = hazeTowards(world - u_eye);
   // As the other formats draw it: lighter with height, shaded by slopes.
   float facing = (u_sun.y - relief.x * u_sun.x - relief.y * u_sun.z) / length(vec3(relief.x, 1.0, relief.y));
   float lit = clamp(facing / max(u_sun.y, 0.15), 0.0, 1.8);
@@ -177,8 +184,7 @@ void main() {
 
 const RELIEF_FRAGMENT = `
 in vec4 v_at;
-in vec3 v_relief;
-uniform vec3 u_horizon;
+in vec3 v_relief, v_haze;
 uniform vec4 u_mapArea;
 ${PLACE_GLSL}
 ${SHADED_GLSL}
@@ -186,7 +192,7 @@ ${CLOUDS_GLSL(true)}
 out vec4 color;
 void main() {
   vec3 place = placeAt((v_at.xy - u_mapArea.xy) / u_mapArea.zw, v_at.xy);
-  color = vec4(behindClouds(mix(u_horizon, shaded(v_relief, place), v_at.z), v_at.w), 1.0);
+  color = vec4(behindClouds(mix(v_haze, shaded(v_relief, place), v_at.z), v_at.w), 1.0);
 }`;
 
 const LINE_VERTEX = `
@@ -194,15 +200,18 @@ layout(location = 0) in vec3 place;
 uniform mat4 u_clip;
 uniform float u_ground, u_stretch;
 ${AIR_GLSL}
+${SKY_GLSL}
 out float v_clarity;
 out float v_grazing;
 out float v_depth;
+out vec3 v_haze;
 void main() {
   vec3 world = vec3(place.x, (place.y + u_ground) * u_stretch, place.z);
   gl_Position = u_clip * vec4(world, 1.0);
   v_depth = gl_Position.w;
   v_clarity = clarity(world);
   vec3 way = world - u_eye;
+  v_haze = hazeTowards(way);
   // Seen at a grazing angle many lines fall on one pixel: they fade before that.
   v_grazing = smoothstep(0.002, 0.03, abs(way.y) / length(way));
 }`;
@@ -211,13 +220,14 @@ const LINE_FRAGMENT = (terrain: boolean) => `
 in float v_clarity;
 in float v_grazing;
 in float v_depth;
-uniform vec3 u_horizon, u_line;
+in vec3 v_haze;
+uniform vec3 u_line;
 uniform float u_opacity;
 ${CLOUDS_GLSL(terrain)}
 out vec4 color;
 void main() {
   float opacity = u_opacity * v_grazing * (1.0 - cloudsHere(v_depth).a);
-  color = vec4(mix(u_horizon, u_line, v_clarity) * opacity, opacity);
+  color = vec4(mix(v_haze, u_line, v_clarity) * opacity, opacity);
 }`;
 
 export interface Lines {
@@ -237,13 +247,13 @@ export interface LandMap {
 
 export class Backdrop {
   /** What is set by the sun. */
-  private zenith: Vec3 = [0, 0, 0];
-  private horizon: Vec3 = [0, 0, 0];
   private soil: Vec3 = [0, 0, 0];
   private land: Vec3 = [0, 0, 0];
   private sea: Vec3 = [0, 0, 0];
   private sunColor: Vec3 = [1, 1, 1];
   private sun: Vec3 = [0, 1, 0];
+  private sunwards: [number, number] = [0, 1];
+  private skyTable: WebGLTexture | null = null;
   lines: Lines[] = [];
   /** While the view moves, the faintest lines are left out: lines cost as much as triangles. */
   faintest = 0;
@@ -279,8 +289,10 @@ export class Backdrop {
   }
 
   setDaylight(daylight: Daylight, sun: Vec3): void {
-    this.zenith = displayColor(daylight.zenith);
-    this.horizon = displayColor(daylight.horizon);
+    const table = new SkyTable(daylight, sun);
+    this.sunwards = table.sunwards;
+    this.gl.deleteTexture(this.skyTable);
+    this.skyTable = byteTexture(this.gl, SKY_COLUMNS, SKY_ROWS, table.colors, 4);
     this.soil = daylight.ground;
     this.land = displayColor(daylight.ground);
     const [r, g, b] = daylight.ground;
@@ -326,7 +338,6 @@ export class Backdrop {
       .set('u_right', right[0] * wide, right[1] * wide, right[2] * wide)
       .set('u_up', up[0] * half, up[1] * half, up[2] * half)
       .set('u_forward', ...forward)
-      .set('u_zenith', ...this.zenith)
       .set('u_sunColor', ...this.sunColor)
       .set('u_sun', ...this.sun);
     // Rows of the ground alone are left to it. The ground ends a little below the horizon.
@@ -407,7 +418,8 @@ export class Backdrop {
       .use()
       .set('u_eye', ...camera.eye)
       .set('u_exaggeration', exaggeration)
-      .set('u_horizon', ...this.horizon)
+      .set('u_sunwards', ...this.sunwards)
+      .texture('u_sky', 5, this.skyTable)
       .set('u_screen', this.gl.drawingBufferWidth, this.gl.drawingBufferHeight)
       .texture('u_clouds', 0, clouds.color);
     // A picture that is not there yet must not leave the last one bound: it may be the one that is drawn into.
@@ -452,7 +464,7 @@ export class Backdrop {
 
 /** Points over the whole screen. */
 function lattice(gl: GL): Mesh {
-  const [columns, rows] = [16, 9];
+  const [columns, rows] = [24, 18];
   const values: number[] = [];
   const indices: number[] = [];
   for (let j = 0; j <= rows; ++j)

@@ -5,6 +5,7 @@ import {along, clamp, dot, scale, turnedAboutUp, type Vec3} from '../math';
 import {daylightUnder, directionTo, type Daylight, type SunPlace} from './daylight';
 import {HARMONICS, harmonicsOf} from './harmonics';
 import {YAW_STEPS, type PackView} from './pack_view';
+import {SkyTable} from './sky_table';
 
 const RESPONSE_BYTES = 36;
 const luminance = (color: Vec3): number => dot(color, [0.2126, 0.7152, 0.0722]);
@@ -18,6 +19,7 @@ export class Lighting {
   colors: Uint8Array;
   direction: Vec3 = [0, 1, 0];
   daylight: Daylight;
+  sky: SkyTable;
   /** Per archetype: factors of a cloud's colour in the shadow of others, sun and other light apart. */
   readonly dimmings: {sun: Vec3; other: Vec3}[] = [];
   private readonly rows: Int32Array;
@@ -35,6 +37,7 @@ export class Lighting {
     }
     this.colors = new Uint8Array(4 * colors);
     this.daylight = daylightUnder(pack.root, 45);
+    this.sky = new SkyTable(this.daylight, this.direction);
   }
 
   /** The colour of puff p is at 4 times this plus p less the first puff of the archetype. */
@@ -49,6 +52,7 @@ export class Lighting {
   setSun(sun: SunPlace): void {
     this.direction = directionTo(sun);
     this.daylight = daylightUnder(this.pack.root, sun.elevationDegrees);
+    this.sky = new SkyTable(this.daylight, this.direction);
     const tone = this.pack.root.tone()!;
     const lift = Math.pow(Math.max(this.direction[1], this.pack.root.liftLowest()), -this.pack.root.liftPower());
     this.pack.archetypes.forEach((_, archetype) => {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // From puffs to what the GPU draws: a quad each that faces the eye, with its colour through the air.
 import {clarity} from '../air';
-import {displayColor, displayValue, linearValue} from '../color';
+import {displayValue, linearValue} from '../color';
 import {focalPixels, type Camera} from '../camera';
 import type {Lighting} from './lighting';
 import type {Vec3} from '../math';
@@ -92,7 +92,8 @@ export class QuadMaker {
   private floats = new Float32Array(0);
   private words = new Uint32Array(0);
   private motions = new Float32Array(0);
-  private horizon = [0, 0, 0];
+  /** What it fades into. */
+  private readonly haze = new Float64Array(3);
 
   constructor(private readonly pack: PackView, private readonly lighting: Lighting) {
     let layers = 0;
@@ -127,7 +128,6 @@ export class QuadMaker {
     this.words = new Uint32Array(buffer);
     const moves = shape === 'triangles' && set.velocities.length > 0;
     this.motions = new Float32Array(moves ? 9 * order.length : 0);
-    this.horizon = displayColor(this.lighting.daylight.horizon).map((value) => 255 * value);
     const locked = new Map<number, Vec3>();
     const square = focalPixels(camera) ** 2;
     let count = 0;
@@ -179,7 +179,7 @@ export class QuadMaker {
     this.yy = e * e * square * covariances[k + 3];
   }
 
-  /** The direction to the puff, and the half-axes of the ellipse that it shows. */
+  /** The direction to the puff, what lies at the horizon there, and the half-axes of the ellipse that it shows. */
   private faceEye(camera: Camera, cloud: number, puff: number, locked: Map<number, Vec3>): void {
     let dx = this.x - camera.eye[0];
     let dy = this.y - camera.eye[1];
@@ -199,6 +199,8 @@ export class QuadMaker {
       dz /= this.away;
     }
     const level = Math.sqrt(dx * dx + dz * dz);
+    const [sunX, sunZ] = this.lighting.sky.sunwards;
+    this.lighting.sky.horizonTowards(level > 1e-4 ? (dx * sunX + dz * sunZ) / level : 0, this.haze);
     const rx = level > 1e-4 ? -dz / level : 1;
     const rz = level > 1e-4 ? dx / level : 0;
     const ux = -rz * dy;
@@ -232,7 +234,7 @@ export class QuadMaker {
       let shown = colors[at + i];
       const dim = this.dimmed[3 * cloud + i];
       if (dim < 1 || beam > 0.01) shown = displayed((LINEAR[shown] + beam * sun[i]) * dim);
-      word |= Math.round(this.horizon[i] + through * (shown - this.horizon[i])) << (8 * i);
+      word |= Math.round(this.haze[i] + through * (shown - this.haze[i])) << (8 * i);
     }
     return word >>> 0;
   }
