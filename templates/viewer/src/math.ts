@@ -22,6 +22,12 @@ export const clamp = (value: number, least: number, most: number): number => Mat
 /** 0 below `low`, 1 above `high`, straight between. */
 export const ramp = (low: number, high: number, value: number): number => clamp((value - low) / (high - low), 0, 1);
 
+/** The same with soft ends; falling where `from` is above `to`. */
+export function smoothStep(from: number, to: number, value: number): number {
+  const t = clamp((value - from) / (to - from), 0, 1);
+  return t * t * (3 - 2 * t);
+}
+
 /** Counter-clockwise about y, seen from above. */
 export function turnedAboutUp(v: Vec3, radians: number): Vec3 {
   const [c, s] = [Math.cos(radians), Math.sin(radians)];

@@ -4,7 +4,7 @@ import {AIR_GLSL} from '../air';
 import {displayColor} from '../color';
 import type {Camera} from '../camera';
 import {axesOf} from '../camera';
-import {clamp, type Vec3} from '../math';
+import {along, clamp, scale, smoothStep, type Vec3} from '../math';
 import type {Daylight} from '../pack/daylight';
 import {SHADOW_CELLS, type Area} from '../pack/ground_shadow';
 import {SKY_COLUMNS, SKY_GLSL, SKY_ROWS, SkyTable} from '../pack/sky_table';
@@ -12,21 +12,26 @@ import {byteTexture, Mesh, Program, Target, type GL} from './gl';
 
 /** Of the painted ground, across. */
 const PAINTED_PIXELS = 1536;
+/** What a quarter moon adds to the ground at night, to an eye that is used to it. */
+const MOONLIT_GROUND: Vec3 = [0.005, 0.007, 0.0105];
 /** How far the ground reaches. */
 const GROUND_METERS = 2_500_000;
+
+/** With clouds laid over it, on flat ground or among mountains; or without. */
+type Kind = 'flat' | 'hilly' | 'bare';
 
 /**
  * `behindClouds(color, depth)`: a colour with the clouds over it. The cloud picture may be coarser than the screen: near the edges of
  * mountains the texels count most whose ground is as far away as the pixel's own.
  */
-const CLOUDS_GLSL = (terrain: boolean) => `
+const CLOUDS_GLSL = (kind: Kind) => (kind === 'bare' ? BARE_GLSL : `
 uniform sampler2D u_clouds;
 uniform vec2 u_screen;
-${terrain ? 'uniform sampler2D u_cloudDepth;\nuniform float u_near;' : ''}
+${kind === 'hilly' ? 'uniform sampler2D u_cloudDepth;\nuniform float u_near;' : ''}
 vec4 cloudsHere(float depth) {
   vec2 at = gl_FragCoord.xy / u_screen;
   ${
-    terrain
+    kind === 'hilly'
       ? `vec2 size = vec2(textureSize(u_clouds, 0));
   vec2 texel = at * size - 0.5;
   ivec2 low = ivec2(floor(texel));
@@ -50,24 +55,33 @@ vec3 behindClouds(vec3 color, float depth) {
   vec4 clouds = cloudsHere(depth);
   return color * (1.0 - clouds.a) + clouds.rgb;
 }
+`);
+
+/** Where clouds are drawn over it afterwards. */
+const BARE_GLSL = `
+vec4 cloudsHere(float depth) { return vec4(0.0); }
+vec3 behindClouds(vec3 color, float depth) { return color; }
 `;
 
-/** A lattice over the screen: the sky's colours change slowly enough to be known at its points. */
+/** A lattice over the screen from a row upwards: the sky's colours change slowly enough to be known at its points. */
 const SKY_VERTEX = `
-layout(location = 0) in vec2 corner;
+layout(location = 0) in vec2 lattice;
 uniform vec3 u_right, u_up, u_forward, u_sunColor, u_sun;
+uniform float u_row;
 ${SKY_GLSL}
 out vec3 v_sky;
 void main() {
+  // Rows are closer to each other near the horizon, where the sky changes most.
+  vec2 corner = vec2(2.0 * lattice.x - 1.0, mix(u_row, 1.0, lattice.y * lattice.y));
   vec3 way = normalize(u_forward + corner.x * u_right + corner.y * u_up);
   vec3 sky = skyAt(way);
   v_sky = sky + (1.0 - sky) * u_sunColor * (0.3 * pow(max(dot(way, u_sun), 0.0), 90.0));
   gl_Position = vec4(corner, 1.0, 1.0);
 }`;
 
-const SKY_FRAGMENT = (terrain: boolean) => `
+const SKY_FRAGMENT = (kind: Kind) => `
 in vec3 v_sky;
-${CLOUDS_GLSL(terrain)}
+${CLOUDS_GLSL(kind)}
 out vec4 color;
 void main() {
   color = vec4(behindClouds(v_sky, 1e7), 1.0);
@@ -85,9 +99,9 @@ void main() {
   gl_Position = u_clip * vec4(u_eye + 1e6 * (u_sun + 0.018 * (v_corner.x * right + v_corner.y * up)), 1.0);
 }`;
 
-const SUN_FRAGMENT = (terrain: boolean) => `
+const SUN_FRAGMENT = (kind: Kind) => `
 in vec2 v_corner;
-${CLOUDS_GLSL(terrain)}
+${CLOUDS_GLSL(kind)}
 out vec4 color;
 void main() {
   float disc = smoothstep(1.0, 0.45, length(v_corner)) * (1.0 - cloudsHere(1e7).a);
@@ -130,11 +144,12 @@ void main() {
   color = vec4(placeAt(v_at, u_mapArea.xy + v_at * u_mapArea.zw), 1.0);
 }`;
 
-/** A disc about the point under the eye, out to the horizon. */
+/** A lattice over the screen from a row downwards, thrown on the ground. */
 const FLAT_VERTEX = `
-layout(location = 0) in vec3 place;
+layout(location = 0) in vec2 lattice;
 uniform mat4 u_clip;
-uniform float u_ground, u_depth;
+uniform float u_ground, u_depth, u_row;
+uniform vec3 u_right, u_up, u_forward;
 uniform vec3 u_area;
 uniform vec4 u_mapArea;
 ${AIR_GLSL}
@@ -142,19 +157,20 @@ ${SKY_GLSL}
 out vec4 v_at;
 out vec3 v_haze;
 void main() {
-  vec3 world = vec3(place.x + u_eye.x, u_ground, place.z + u_eye.z);
+  vec3 way = u_forward + (2.0 * lattice.x - 1.0) * u_right + mix(u_row, -1.0, lattice.y * lattice.y) * u_up;
+  vec3 world = u_eye + (u_eye.y - u_ground) / max(-way.y, 1e-7) * way;
   gl_Position = u_clip * vec4(world, 1.0);
   v_at = vec4(((world.xz - u_area.xy) / vec2(u_area.z, u_depth) - u_mapArea.xy) / u_mapArea.zw, clarity(world), gl_Position.w);
-  v_haze = hazeTowards(world - u_eye);
+  v_haze = hazeTowards(way);
 }`;
 
-const FLAT_FRAGMENT = (terrain: boolean) => `
+const FLAT_FRAGMENT = (kind: Kind) => `
 in vec4 v_at;
 in vec3 v_haze;
 uniform vec3 u_land;
 uniform sampler2D u_painted;
 ${SHADED_GLSL}
-${CLOUDS_GLSL(terrain)}
+${CLOUDS_GLSL(kind)}
 out vec4 color;
 void main() {
   color = vec4(behindClouds(mix(v_haze, shaded(u_land, texture(u_painted, v_at.xy).rgb), v_at.z), v_at.w), 1.0);
@@ -182,13 +198,13 @@ void main() {
   v_relief = 1.055 * pow(clamp(linear, 0.0031308, 1.0), vec3(1.0 / 2.4)) - 0.055;
 }`;
 
-const RELIEF_FRAGMENT = `
+const RELIEF_FRAGMENT = (kind: Kind) => `
 in vec4 v_at;
 in vec3 v_relief, v_haze;
 uniform vec4 u_mapArea;
 ${PLACE_GLSL}
 ${SHADED_GLSL}
-${CLOUDS_GLSL(true)}
+${CLOUDS_GLSL(kind)}
 out vec4 color;
 void main() {
   vec3 place = placeAt((v_at.xy - u_mapArea.xy) / u_mapArea.zw, v_at.xy);
@@ -216,14 +232,14 @@ void main() {
   v_grazing = smoothstep(0.002, 0.03, abs(way.y) / length(way));
 }`;
 
-const LINE_FRAGMENT = (terrain: boolean) => `
+const LINE_FRAGMENT = (kind: Kind) => `
 in float v_clarity;
 in float v_grazing;
 in float v_depth;
 in vec3 v_haze;
 uniform vec3 u_line;
 uniform float u_opacity;
-${CLOUDS_GLSL(terrain)}
+${CLOUDS_GLSL(kind)}
 out vec4 color;
 void main() {
   float opacity = u_opacity * v_grazing * (1.0 - cloudsHere(v_depth).a);
@@ -245,6 +261,23 @@ export interface LandMap {
   place: [number, number, number, number];
 }
 
+/** What is drawn: from where, and the picture of the clouds that is laid over it, if one is. */
+export interface Sight {
+  camera: Camera;
+  clip: Float32Array;
+  near: number;
+  exaggeration: number;
+  clouds: Target | null;
+}
+
+interface Programs {
+  sky: Program;
+  flat: Program;
+  relief: Program | null;
+  line: Program;
+  disc: Program;
+}
+
 export class Backdrop {
   /** What is set by the sun. */
   private soil: Vec3 = [0, 0, 0];
@@ -257,32 +290,23 @@ export class Backdrop {
   lines: Lines[] = [];
   /** While the view moves, the faintest lines are left out: lines cost as much as triangles. */
   faintest = 0;
-  private readonly sky: Program;
+  /** A line is a pixel of the canvas wide: fainter where that is more than one of the screen. */
+  lineOpacity = 1;
+  private lineLight = 1;
   private readonly paint: Program;
   private readonly painted: Target;
   private isPainted = false;
-  private readonly flat: Program;
-  private readonly relief: Program | null;
-  private readonly line: Program;
-  private readonly disc: Program;
+  private readonly programs = new Map<Kind, Programs>();
   private readonly lattice: Mesh;
-  private readonly plain: Mesh;
   private readonly sunlight: WebGLTexture;
   private map: WebGLTexture;
   private mapPlace: [number, number, number, number] = [0, 0, 1, 1];
   private readonly empty: WebGLVertexArrayObject;
 
   constructor(private readonly gl: GL, private readonly area: Area, private readonly terrain: Mesh | null) {
-    const withTerrain = terrain !== null;
-    this.sky = new Program(gl, SKY_VERTEX, SKY_FRAGMENT(withTerrain));
     this.paint = new Program(gl, PAINT_VERTEX, PAINT_FRAGMENT);
     this.painted = new Target(gl, false);
-    this.flat = new Program(gl, FLAT_VERTEX, FLAT_FRAGMENT(withTerrain));
-    this.relief = withTerrain ? new Program(gl, RELIEF_VERTEX, RELIEF_FRAGMENT) : null;
-    this.line = new Program(gl, LINE_VERTEX, LINE_FRAGMENT(withTerrain));
-    this.disc = new Program(gl, SUN_VERTEX, SUN_FRAGMENT(withTerrain));
     this.lattice = lattice(gl);
-    this.plain = plain(gl);
     this.sunlight = byteTexture(gl, 1, 1, Uint8Array.of(255));
     this.map = byteTexture(gl, 1, 1, Uint8Array.of(255));
     this.empty = gl.createVertexArray();
@@ -293,9 +317,10 @@ export class Backdrop {
     this.sunwards = table.sunwards;
     this.gl.deleteTexture(this.skyTable);
     this.skyTable = byteTexture(this.gl, SKY_COLUMNS, SKY_ROWS, table.colors, 4);
-    this.soil = daylight.ground;
-    this.land = displayColor(daylight.ground);
-    const [r, g, b] = daylight.ground;
+    const night = smoothStep(0.02, -0.16, sun[1]);
+    const [r, g, b] = (this.soil = along(daylight.ground, night, MOONLIT_GROUND));
+    this.land = displayColor(this.soil);
+    this.lineLight = 1 - 0.6 * night;
     this.sea = displayColor([0.32 * r + 0.02 * daylight.zenith[0], 0.5 * g + 0.03 * daylight.zenith[1], 0.75 * b + 0.06 * daylight.zenith[2]]);
     this.sunColor = displayColor(daylight.suns[0]);
     this.sun = sun;
@@ -318,80 +343,90 @@ export class Backdrop {
   }
 
   /** Only what hides clouds, into the depth of the target that is bound. */
-  drawDepth(clip: Float32Array, camera: Camera, exaggeration: number, clouds: Target): void {
-    if (!this.relief || !this.terrain) return;
+  drawDepth(clip: Float32Array, camera: Camera, exaggeration: number): void {
+    if (!this.terrain) return;
     this.gl.colorMask(false, false, false, false);
-    this.drawTerrain(clip, camera, exaggeration, clouds, 1);
+    this.drawTerrain({clip, camera, exaggeration, near: 1, clouds: null});
     this.gl.colorMask(true, true, true, true);
   }
 
-  /** All of it, with the clouds over it, into what is bound. */
-  draw(clip: Float32Array, camera: Camera, exaggeration: number, near: number, clouds: Target): void {
+  /** All of it into what is bound, with the clouds over it where there are any. */
+  draw(sight: Sight): void {
     const {gl} = this;
-    const {right, up, forward} = axesOf(camera);
-    const half = Math.tan(0.5 * camera.fieldRadians);
-    const wide = (half * camera.widthPixels) / camera.heightPixels;
+    const {clip, camera} = sight;
     gl.disable(gl.DEPTH_TEST);
     gl.depthMask(false);
-    this.common(this.sky, camera, exaggeration, near, clouds);
-    this.sky
-      .set('u_right', right[0] * wide, right[1] * wide, right[2] * wide)
-      .set('u_up', up[0] * half, up[1] * half, up[2] * half)
-      .set('u_forward', ...forward)
-      .set('u_sunColor', ...this.sunColor)
-      .set('u_sun', ...this.sun);
-    // Rows of the ground alone are left to it. The ground ends a little below the horizon.
-    const lift = camera.eye[1] - this.area.groundMeters;
-    const horizon = forward[1] < 0.999 ? Math.tan(Math.asin(forward[1]) + Math.max(0, lift) / GROUND_METERS + 0.002) / half : -2;
-    const firstRow = camera.up[1] < 0.999 || Math.abs(forward[1]) > 0.7 ? 0 : Math.floor(clamp(0.5 - 0.5 * horizon, 0, 1) * gl.drawingBufferHeight);
-    gl.enable(gl.SCISSOR_TEST);
-    gl.scissor(0, firstRow, gl.drawingBufferWidth, gl.drawingBufferHeight - firstRow);
-    this.lattice.draw();
-    this.drawSun(clip, camera, exaggeration, near, clouds);
-    gl.disable(gl.SCISSOR_TEST);
-    if (camera.eye[1] > this.area.groundMeters) {
-      this.common(this.flat, camera, exaggeration, near, clouds);
-      this.where(this.flat, clip);
-      this.shade(this.flat);
-      this.flat.set('u_land', ...this.land).texture('u_painted', 1, this.painted.color!);
-      this.plain.draw();
+    const row = this.horizonRow(camera);
+    if (row < 1) {
+      const sky = this.begin('sky', sight);
+      this.across(sky, camera, Math.max(-1, row - 0.004));
+      sky.set('u_sunColor', ...this.sunColor).set('u_sun', ...this.sun);
+      this.lattice.draw();
+      this.drawSun(sight);
+    }
+    if (camera.eye[1] > this.area.groundMeters && row > -1) {
+      const flat = this.begin('flat', sight);
+      this.across(flat, camera, Math.min(1, row));
+      this.where(flat, clip);
+      this.shade(flat);
+      flat.set('u_land', ...this.land).texture('u_painted', 1, this.painted.color!);
+      this.lattice.draw();
     }
     if (this.terrain) {
       gl.depthMask(true);
       gl.clear(gl.DEPTH_BUFFER_BIT);
-      this.drawTerrain(clip, camera, exaggeration, clouds, near);
+      this.drawTerrain(sight);
     }
-    this.drawLines(clip, camera, exaggeration, near, clouds);
+    this.drawLines(sight);
   }
 
-  private drawSun(clip: Float32Array, camera: Camera, exaggeration: number, near: number, clouds: Target): void {
+  /** The row of the screen, -1 to 1 upwards, in which the ground ends: a little below the horizon. */
+  private horizonRow({eye, forward, fieldRadians}: Camera): number {
+    const lift = Math.max(0, eye[1] - this.area.groundMeters);
+    const below = Math.asin(clamp(forward[1], -1, 1)) + lift / GROUND_METERS + 1e-4;
+    if (below <= -0.49 * Math.PI) return 2;
+    return below >= 0.49 * Math.PI ? -2 : -Math.tan(below) / Math.tan(0.5 * fieldRadians);
+  }
+
+  /** Where the lattice lies. */
+  private across(program: Program, camera: Camera, row: number): void {
+    const {right, up, forward} = axesOf(camera);
+    const half = Math.tan(0.5 * camera.fieldRadians);
+    const wide = (half * camera.widthPixels) / camera.heightPixels;
+    program
+      .set('u_right', right[0] * wide, right[1] * wide, right[2] * wide)
+      .set('u_up', up[0] * half, up[1] * half, up[2] * half)
+      .set('u_forward', ...forward)
+      .set('u_row', row);
+  }
+
+  private drawSun(sight: Sight): void {
     if (this.sun[1] < -0.02) return;
     const {gl} = this;
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
-    this.common(this.disc, camera, exaggeration, near, clouds);
-    this.disc.matrix('u_clip', clip).set('u_sun', ...this.sun);
+    this.begin('disc', sight).matrix('u_clip', sight.clip).set('u_sun', ...this.sun);
     gl.bindVertexArray(this.empty);
     gl.drawArrays(gl.TRIANGLE_STRIP, 0, 4);
     gl.bindVertexArray(null);
     gl.disable(gl.BLEND);
   }
 
-  private drawTerrain(clip: Float32Array, camera: Camera, exaggeration: number, clouds: Target, near: number): void {
+  private drawTerrain(sight: Sight): void {
     const {gl} = this;
     gl.enable(gl.DEPTH_TEST);
     gl.depthMask(true);
-    this.common(this.relief!, camera, exaggeration, near, clouds);
-    this.where(this.relief!, clip);
-    this.shade(this.relief!);
-    this.places(this.relief!);
-    this.relief!.set('u_sun', ...this.sun).set('u_soil', ...this.soil);
+    const relief = this.begin('relief', sight);
+    this.where(relief, sight.clip);
+    this.shade(relief);
+    this.places(relief);
+    relief.set('u_sun', ...this.sun).set('u_soil', ...this.soil);
     this.terrain!.draw();
     gl.depthMask(false);
     gl.disable(gl.DEPTH_TEST);
   }
 
-  private drawLines(clip: Float32Array, camera: Camera, exaggeration: number, near: number, clouds: Target): void {
+  private drawLines(sight: Sight): void {
     const {gl} = this;
     if (this.terrain) {
       gl.enable(gl.DEPTH_TEST);
@@ -399,31 +434,48 @@ export class Backdrop {
     }
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
-    this.common(this.line, camera, exaggeration, near, clouds);
-    this.line
-      .matrix('u_clip', clip)
+    const line = this.begin('line', sight)
+      .matrix('u_clip', sight.clip)
       .set('u_ground', this.area.groundMeters)
-      .set('u_stretch', this.terrain ? exaggeration : 1);
+      .set('u_stretch', this.terrain ? sight.exaggeration : 1);
     for (const {mesh, opacity, color} of this.lines) {
       if (opacity < this.faintest) continue;
-      this.line.set('u_opacity', opacity).set('u_line', ...color);
+      line.set('u_opacity', opacity * this.lineOpacity).set('u_line', ...scale(color, this.lineLight));
       mesh.draw();
     }
     gl.disable(gl.BLEND);
     gl.disable(gl.DEPTH_TEST);
   }
 
-  private common(program: Program, camera: Camera, exaggeration: number, near: number, clouds: Target): void {
-    program
+  /** A program, with what they all ask for. */
+  private begin(name: keyof Programs, {camera, exaggeration, near, clouds}: Sight): Program {
+    const kind: Kind = !clouds ? 'bare' : this.terrain ? 'hilly' : 'flat';
+    const program = this.programsOf(kind)[name]!
       .use()
       .set('u_eye', ...camera.eye)
       .set('u_exaggeration', exaggeration)
       .set('u_sunwards', ...this.sunwards)
-      .texture('u_sky', 5, this.skyTable)
-      .set('u_screen', this.gl.drawingBufferWidth, this.gl.drawingBufferHeight)
-      .texture('u_clouds', 0, clouds.color);
-    // A picture that is not there yet must not leave the last one bound: it may be the one that is drawn into.
-    if (this.terrain) program.set('u_near', near).texture('u_cloudDepth', 4, clouds.depth);
+      .texture('u_sky', 5, this.skyTable);
+    if (!clouds) return program;
+    program.set('u_screen', this.gl.drawingBufferWidth, this.gl.drawingBufferHeight).texture('u_clouds', 0, clouds.color);
+    return kind === 'hilly' ? program.set('u_near', near).texture('u_cloudDepth', 4, clouds.depth) : program;
+  }
+
+  /** Made when they are first asked for. */
+  private programsOf(kind: Kind): Programs {
+    const {gl} = this;
+    let programs = this.programs.get(kind);
+    if (!programs) {
+      programs = {
+        sky: new Program(gl, SKY_VERTEX, SKY_FRAGMENT(kind)),
+        flat: new Program(gl, FLAT_VERTEX, FLAT_FRAGMENT(kind)),
+        relief: this.terrain ? new Program(gl, RELIEF_VERTEX, RELIEF_FRAGMENT(kind)) : null,
+        line: new Program(gl, LINE_VERTEX, LINE_FRAGMENT(kind)),
+        disc: new Program(gl, SUN_VERTEX, SUN_FRAGMENT(kind)),
+      };
+      this.programs.set(kind, programs);
+    }
+    return programs;
   }
 
   private where(program: Program, clip: Float32Array): void {
@@ -462,35 +514,17 @@ export class Backdrop {
   }
 }
 
-/** Points over the whole screen. */
+/** Points over a square of side 1. */
 function lattice(gl: GL): Mesh {
-  const [columns, rows] = [24, 18];
+  const [columns, rows] = [12, 10];
   const values: number[] = [];
   const indices: number[] = [];
   for (let j = 0; j <= rows; ++j)
     for (let i = 0; i <= columns; ++i) {
-      values.push((2 * i) / columns - 1, (2 * j) / rows - 1);
+      values.push(i / columns, j / rows);
       if (i === columns || j === rows) continue;
       const at = j * (columns + 1) + i;
       indices.push(at, at + 1, at + columns + 1, at + columns + 1, at + 1, at + columns + 2);
     }
   return new Mesh(gl, values, [2], indices);
-}
-
-/** Rings about the origin, finer near it: colours that are given at the corners are then right in between. */
-function plain(gl: GL): Mesh {
-  const [sectors, rings, first] = [28, 18, 60];
-  const values = [0, 0, 0];
-  const indices: number[] = [];
-  for (let r = 0; r < rings; ++r)
-    for (let s = 0; s < sectors; ++s) {
-      const radius = first * Math.pow(GROUND_METERS / first, r / (rings - 1));
-      const angle = (2 * Math.PI * s) / sectors;
-      values.push(radius * Math.cos(angle), 0, radius * Math.sin(angle));
-      const next = (s + 1) % sectors;
-      const at = (ring: number, sector: number) => 1 + ring * sectors + sector;
-      if (r === 0) indices.push(0, at(0, s), at(0, next));
-      else indices.push(at(r - 1, s), at(r, s), at(r, next), at(r - 1, s), at(r, next), at(r - 1, next));
-    }
-  return new Mesh(gl, values, [3], indices);
 }

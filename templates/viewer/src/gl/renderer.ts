@@ -8,7 +8,7 @@ import {Target, type GL} from './gl';
 export interface Pace {
   /** Of the canvas's pixels across, to those of the screen. */
   canvas: number;
-  /** Width of a pixel of the cloud picture, in those of the screen. */
+  /** Width of a pixel of the cloud picture, in those of the screen: that of the canvas's own, and clouds are drawn straight into it. */
   divisor: number;
   mostPuffs: number;
 }
@@ -21,9 +21,11 @@ export const PACES: Pace[] = [
   {canvas: 1, divisor: 3, mostPuffs: 40_000},
   {canvas: 0.75, divisor: 4, mostPuffs: 12_000},
   {canvas: 0.5, divisor: 4, mostPuffs: 6_000},
-  {canvas: 0.5, divisor: 4, mostPuffs: 3_500},
-  {canvas: 0.5, divisor: 6, mostPuffs: 2_500},
-  {canvas: 0.4, divisor: 8, mostPuffs: 1_500},
+  {canvas: 0.5, divisor: 2, mostPuffs: 4_000},
+  {canvas: 0.4, divisor: 2.5, mostPuffs: 3_000},
+  {canvas: 0.3125, divisor: 3.2, mostPuffs: 2_000},
+  {canvas: 0.25, divisor: 4, mostPuffs: 1_500},
+  {canvas: 0.25, divisor: 4, mostPuffs: 800},
 ];
 export const PACE_OF_SOFTWARE = 5;
 export const PACE_OF_GPU = 2;
@@ -47,6 +49,8 @@ export class Renderer {
   private fineDone = 0;
   private fineParts = PARTS;
   private shown: Target;
+  /** Whether clouds are drawn straight over sky and ground, without a picture of their own. */
+  private isStraight = false;
 
   constructor(
     private readonly gl: GL,
@@ -66,13 +70,16 @@ export class Renderer {
   /** Clouds as they are known now, coarse. */
   drawQuick(camera: Camera, near: number, exaggeration: number): void {
     const {gl} = this;
-    const size = (pixels: number) => Math.max(1, Math.ceil(pixels / (this.pace.divisor * this.pace.canvas)));
-    this.quickTarget.resize(size(gl.drawingBufferWidth), size(gl.drawingBufferHeight));
-    const clip = clipMatrix(camera, near);
-    this.begin(this.quickTarget, camera, clip, exaggeration);
-    this.painter.draw(this.quick, 0, this.quick.count, clip, this.hasTerrain);
     this.shown = this.quickTarget;
     this.backdrop.faintest = this.pace.canvas < 1 ? 0.3 : 0;
+    this.backdrop.lineOpacity = Math.min(1, 2 * this.pace.canvas);
+    this.isStraight = this.pace.canvas * this.pace.divisor === 1;
+    if (!this.isStraight) {
+      const size = (pixels: number) => Math.max(1, Math.ceil(pixels / (this.pace.divisor * this.pace.canvas)));
+      this.quickTarget.resize(size(gl.drawingBufferWidth), size(gl.drawingBufferHeight));
+      this.begin(this.quickTarget, camera, clipMatrix(camera, near), exaggeration);
+      this.painter.draw(this.quick, 0, this.quick.count, clipMatrix(camera, near), this.hasTerrain);
+    }
     this.compose(camera, near, exaggeration);
   }
 
@@ -98,22 +105,25 @@ export class Renderer {
 
   showFine(camera: Camera, near: number, exaggeration: number): void {
     this.shown = this.fineTarget;
+    this.isStraight = false;
     this.backdrop.faintest = 0;
+    this.backdrop.lineOpacity = 1;
     this.compose(camera, near, exaggeration);
   }
 
   /** Sky and ground under the clouds that were drawn last. */
   compose(camera: Camera, near: number, exaggeration: number): void {
     const {gl} = this;
+    const clip = clipMatrix(camera, near);
     this.backdrop.prepare();
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     gl.viewport(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight);
-    this.backdrop.draw(clipMatrix(camera, near), camera, exaggeration, near, this.shown);
+    this.backdrop.draw({camera, clip, near, exaggeration, clouds: this.isStraight ? null : this.shown});
+    if (this.isStraight) this.painter.draw(this.quick, 0, this.quick.count, clip, this.hasTerrain);
   }
 
   private begin(target: Target, camera: Camera, clip: Float32Array, exaggeration: number): void {
     target.clear();
-    // The backdrop's shaders name the cloud picture even where only depth is drawn: not the one that is drawn into.
-    if (this.hasTerrain) this.backdrop.drawDepth(clip, camera, exaggeration, target === this.fineTarget ? this.quickTarget : this.fineTarget);
+    if (this.hasTerrain) this.backdrop.drawDepth(clip, camera, exaggeration);
   }
 }

@@ -3,7 +3,7 @@
 // Earth taking into account atmospheric scattering"), as src/image/atmosphere.cpp and src/runtime/gles/sky_table.cpp have it: what
 // `cloudgen preview` shows.
 import {displayValue} from '../color';
-import {clamp, dot, mixed, type Vec3} from '../math';
+import {clamp, dot, mixed, smoothStep, type Vec3} from '../math';
 import type {Daylight} from './daylight';
 
 /** Rows by the square root of the sine of the elevation, columns by that of the azimuth from the sun's over pi; both from 0 to 1. */
@@ -25,17 +25,22 @@ const AEROSOL_FORWARD = 0.76;
 const AGAIN: Vec3 = [1, 1.1, 1.25];
 /** The eye is taken to be so high: the sky above is darker the higher one is. */
 const EYE_METERS = 2000;
+/** Of the sky while the sun is just below the horizon: what ozone leaves of the light from high up. */
+const TWILIGHT: Vec3 = [0.13, 0.21, 0.44];
 const LUMINANCE: Vec3 = [0.2126, 0.7152, 0.0722];
-
-function smoothStep(from: number, to: number, value: number): number {
-  const t = clamp((value - from) / (to - from), 0, 1);
-  return t * t * (3 - 2 * t);
-}
 
 /** Relative air mass, Kasten & Young 1989. */
 function airMass(elevationDegrees: number): number {
   const elevation = Math.max(elevationDegrees, -1);
   return 1 / (Math.sin((Math.PI / 180) * Math.max(elevation, 0)) + 0.50572 * Math.pow(elevation + 6.07995, -1.6364));
+}
+
+/**
+ * What of the light scattered once is left when the sun is so many degrees below the horizon: the Earth's shadow rises opposite to the
+ * sun and overhead first. (The CPU preview leaves this out, and its dusk is brown all around.)
+ */
+function outOfShadow(belowDegrees: number, sine: number, azimuthCosine: number): number {
+  return Math.exp(-0.12 * belowDegrees * (0.7 * (1 - azimuthCosine) + 2.4 * sine));
 }
 
 /** Sums over a ray: what is scattered by air and by aerosol per unit of their phase functions, and what was scattered before. */
@@ -83,6 +88,10 @@ export class SkyTable {
     const dusk = smoothStep(NIGHT_DEGREES, DUSK_DEGREES, elevation);
     const day = clamp((elevation - DUSK_DEGREES) / 9, 0.02, 1) * dusk;
     const mass = airMass(elevation);
+    const below = clamp(-elevation, 0, 18);
+    // The least light of the night: dusk does not get darker than that.
+    const night = smoothStep(-5, -9, elevation);
+    const twilight = smoothStep(1, -4, elevation) * Math.exp(-0.33 * below);
     for (let row = 0; row < SKY_ROWS; ++row) {
       const sine = Math.max(0.004, (row / (SKY_ROWS - 1)) ** 2);
       const sums = sumsAlong(sine, sun[1], mass);
@@ -93,11 +102,12 @@ export class SkyTable {
         const air = (3 / (16 * Math.PI)) * (1 + cosine * cosine);
         const g = AEROSOL_FORWARD;
         const aerosol = (1 - g * g) / (4 * Math.PI * Math.pow(1 + g * g - 2 * g * cosine, 1.5));
+        const shadow = outOfShadow(below, sine, Math.cos(azimuth));
         const at = 4 * (row * SKY_COLUMNS + column);
         for (let k = 0; k < 3; ++k) {
           const scattered = sums.air[k] * air + sums.aerosol[k] * aerosol + sums.again[k];
           const white = Math.exp(-(AIR[k] + AEROSOL[k]));
-          const light = (gain * day * Math.PI * scattered) / white + (1 - dusk) * ofNight[k];
+          const light = (gain * day * Math.PI * scattered * shadow) / white + twilight * (0.6 + 0.4 * sine) * TWILIGHT[k] + night * ofNight[k];
           this.colors[at + k] = Math.round(255 * displayValue(light));
         }
         this.colors[at + 3] = 255;
