@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Opens what `cloudgen build` wrote in the viewers that people use.
 //   node tests/web/run.mjs --scenes DIR... [--page] [--only WORDS]
+// A folder NAME.still beside a sky that moves is its first time alone: its picture is compared.
 // --page: only index.html; --only: only checks whose name matches this regular expression. Pictures are kept in out/.
 import {existsSync} from 'node:fs';
 import {mkdir, readFile, readdir, writeFile} from 'node:fs/promises';
@@ -12,6 +13,8 @@ import {Runner} from './lib/runner.mjs';
 import {serve} from './lib/server.mjs';
 import {drawsByComparison, drawsByRemoval} from './checks/drawing.mjs';
 import {pageWorks} from './checks/page.mjs';
+import {folderIsStreamed} from './checks/page_folder.mjs';
+import {movingPageWorks} from './checks/page_time.mjs';
 import {cesiumPage, tilesStandInPlace} from './checks/tiles.mjs';
 import {glbIsClean, jsonIsValid, tilesAreClean} from './checks/validation.mjs';
 import {view3dsceneDraws} from './checks/view3dscene.mjs';
@@ -43,6 +46,11 @@ async function checkScene(runner, folder, onlyPage) {
   if (has('index.html') && browser)
     for (const size of [{width: 1280, height: 720}, {width: 360, height: 740}])
       runner.addAlone(`${scene}: index.html works at ${size.width}x${size.height}`, 300, () => pageWorks(folder, size, picture(`page_${size.width}`)));
+  if (has('index.html') && browser) {
+    runner.addAlone(`${scene}: index.html reads a pack from beside it`, 120, () => folderIsStreamed(folder));
+    if (JSON.parse(await readFile(join(folder, 'report.json'), 'utf8')).valid_times.length > 1)
+      runner.addAlone(`${scene}: index.html plays the sky`, 300, () => movingPageWorks(folder, `${folder}.still`, picture('page_time')));
+  }
   if (onlyPage) return;
 
   const texts = {};

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
-/** Aims at more than 30 frames a second, so that 25 are left when the machine has something else to do, too. */
-const SLOW_SECONDS = 0.03;
+const SLOW_SECONDS = 0.04;
 const FAST_SECONDS = 0.0175;
 const SLOW_FRAMES = 4;
 const FAST_FRAMES = 24;
@@ -15,13 +14,13 @@ export class Quality {
   private patience = FAST_FRAMES;
   private wentFiner = false;
 
-  constructor(private readonly steps: number, start: number) {
+  constructor(private readonly steps: number, start: number, private readonly slowSeconds = SLOW_SECONDS) {
     this.step = start;
   }
 
   /** The time between two frames; true if the step changed. */
   frame(seconds: number): boolean {
-    this.slow = seconds > SLOW_SECONDS ? this.slow + 1 : 0;
+    this.slow = seconds > this.slowSeconds ? this.slow + 1 : 0;
     this.fast = seconds < FAST_SECONDS ? this.fast + 1 : 0;
     if (this.slow >= SLOW_FRAMES && this.step + 1 < this.steps) {
       if (this.wentFiner) this.patience *= 4;

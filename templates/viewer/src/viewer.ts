@@ -21,6 +21,7 @@ import {pathAbout, type FlightPath} from './path';
 import {forwardOf, orbited, panned, poseTowards, sideOf, targetOf, turned, zoomed, type Pose} from './pose';
 import {Quality} from './quality';
 import type {SceneData} from './scene_data';
+import {seldom} from './seldom';
 import {Terrain} from './terrain';
 import {viewNamed, type ViewName} from './views';
 
@@ -37,11 +38,17 @@ const TURN_RADIANS_PER_SECOND = 0.7;
 const REST_MILLISECONDS = 220;
 /** The shadows on the ground follow the sun after this long. */
 const SHADE_MILLISECONDS = 120;
+/** The sky follows it after so long. */
+const SUN_MILLISECONDS = 100;
+/** And then again, while it goes on. */
+const RESHADE_MILLISECONDS = 1500;
 /** What a list of quads may lose while the view moves, in pixels of the coarse picture; and at rest, in those of the screen. */
 const QUICK_ERROR_PIXELS = 1.5;
 const FINE_ERROR_PIXELS = 2;
 const MOST_FINE_PUFFS = 1_500_000;
 const MOST_SOFTWARE_FILL = 6e7;
+/** Processors have other things to do, too: where they draw, the aim is nearly the screen's rate. */
+const SLOW_SOFTWARE_SECONDS = 0.022;
 
 type Fine = 'none' | 'asked' | 'drawing' | 'shown';
 
@@ -64,6 +71,11 @@ export class Viewer {
   readonly lines: GroundLines;
   path: FlightPath;
   sun: SunPlace;
+  private readonly showSun = seldom((sun: SunPlace) => {
+    this.backdrop.setDaylight(daylightUnder(this.pack.root, sun.elevationDegrees), directionTo(sun));
+    this.onChange();
+    this.touch();
+  }, SUN_MILLISECONDS);
   /** What time of a sky that moves is shown, seconds from the pack's valid time. */
   seconds = 0;
 
@@ -90,6 +102,7 @@ export class Viewer {
   private readonly wanted = new Map<string, unknown>();
   private changing: Promise<void> | null = null;
   private shading = 0;
+  private shaded = -Infinity;
   /** Pixels of the screen under the canvas. */
   private screen = {widthPixels: 1280, heightPixels: 720};
 
@@ -140,7 +153,7 @@ export class Viewer {
     this.addLines(this.lines.border, 0.85, [0.97, 0.98, 1]);
     const software = isSoftware(gl);
     this.mostFill = software ? MOST_SOFTWARE_FILL : Infinity;
-    this.quality = new Quality(PACES.length, software ? PACE_OF_SOFTWARE : PACE_OF_GPU);
+    this.quality = new Quality(PACES.length, software ? PACE_OF_SOFTWARE : PACE_OF_GPU, software ? SLOW_SOFTWARE_SECONDS : undefined);
     renderer.pace = PACES[this.quality.step];
     this.controls = new Controls(canvas, {
       drag: (right, down) => this.drag(right, down),
@@ -219,9 +232,7 @@ export class Viewer {
   /** Resolves when the clouds are lit by the sun that was set last. */
   async setSun(sun: SunPlace): Promise<void> {
     this.sun = sun;
-    this.backdrop.setDaylight(daylightUnder(this.pack.root, sun.elevationDegrees), directionTo(sun));
-    this.onChange();
-    this.touch();
+    this.showSun(sun);
     await this.changeSky('setSun', sun);
   }
 
@@ -242,7 +253,7 @@ export class Viewer {
     if (!this.wanted.has(method)) return;
     this.changing = this.makeWanted();
     await this.changing.finally(() => (this.changing = null));
-    this.shading ||= window.setTimeout(() => void this.shadeGround(), SHADE_MILLISECONDS);
+    this.shading ||= window.setTimeout(() => void this.shadeGround(), Math.max(SHADE_MILLISECONDS, this.shaded + RESHADE_MILLISECONDS - performance.now()));
   }
 
   private async makeWanted(): Promise<void> {
@@ -252,8 +263,8 @@ export class Viewer {
     await Promise.all(calls);
     this.skyChanged();
     await this.askList();
-    // While the sky goes on and on, the worker leaves as much time to the drawing as it takes itself.
-    if (this.wanted.size > 0) await new Promise((later) => window.setTimeout(later, Math.min(200, performance.now() - start)));
+    // While the sky goes on and on, the worker leaves most of the time to the drawing.
+    if (this.wanted.size > 0) await new Promise((later) => window.setTimeout(later, Math.min(500, 3 * (performance.now() - start))));
   }
 
   showClouds(shown: boolean): void {
@@ -280,6 +291,8 @@ export class Viewer {
 
   /** What is on the screen, as PNG. */
   screenshot(): Promise<Blob> {
+    // All of the screen's pixels, though fewer are drawn while the view moves.
+    this.fitCanvas(1);
     this.renderer.compose(this.camera, this.near(), this.exaggeration);
     return new Promise((resolve, reject) => this.canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error('no picture'))), 'image/png'));
   }
@@ -415,6 +428,7 @@ export class Viewer {
 
   private async shadeGround(): Promise<void> {
     this.shading = 0;
+    this.shaded = performance.now();
     const light = await this.sky.call('sunlight', this.area);
     this.backdrop.setSunlight(light);
     this.touch();

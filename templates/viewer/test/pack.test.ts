@@ -130,7 +130,7 @@ test('the sun lights clouds, and its colour follows its height', () => {
   const sky = skyOf(ahead);
   const redAt = (elevationDegrees: number) => {
     sky.setSun({azimuthDegrees: 180, elevationDegrees});
-    return sky.lighting.colors[0];
+    return sky.lighting.colors[4 * sky.lighting.firstColor(0, 0)];
   };
   assert.ok(redAt(80) > redAt(-8), `${redAt(80)} ${redAt(-8)}`);
 });

@@ -26,8 +26,9 @@ export const PACES: Pace[] = [
   {canvas: 0.3125, divisor: 3.2, mostPuffs: 2_000},
   {canvas: 0.25, divisor: 4, mostPuffs: 1_500},
   {canvas: 0.25, divisor: 4, mostPuffs: 800},
+  {canvas: 0.2, divisor: 5, mostPuffs: 700},
 ];
-export const PACE_OF_SOFTWARE = 5;
+export const PACE_OF_SOFTWARE = 7;
 export const PACE_OF_GPU = 2;
 
 /** A picture at rest is drawn in so many parts, a frame each. */

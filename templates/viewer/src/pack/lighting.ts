@@ -14,6 +14,16 @@ const luminance = (color: Vec3): number => dot(color, [0.2126, 0.7152, 0.0722]);
 const DISPLAY = Uint8Array.from({length: 4097}, (_, i) => Math.round(255 * displayValue(i / 4096)));
 const displayByte = (linear: number): number => DISPLAY[Math.round(4096 * clamp(linear, 0, 1))];
 
+/** What an archetype is lit by. */
+interface Lamp {
+  sun: Vec3;
+  ambient: Vec3;
+  exposure: number;
+  face: number;
+  lift: number;
+}
+
+/** Puffs are lit when they are first asked for after the sun has moved: of a wide sky few archetypes are in view. */
 export class Lighting {
   /** Red, green, blue, and what is added when one looks towards the sun (255 is the sun's colour), per puff and heading. */
   colors: Uint8Array;
@@ -23,8 +33,13 @@ export class Lighting {
   /** Per archetype: factors of a cloud's colour in the shadow of others, sun and other light apart. */
   readonly dimmings: {sun: Vec3; other: Vec3}[] = [];
   private readonly rows: Int32Array;
+  /** Which setting of the sun a row was lit by. */
+  private readonly litFor: Uint32Array;
+  private setting = 0;
+  private readonly lamps: Lamp[] = [];
 
   constructor(private readonly pack: PackView) {
+    this.litFor = new Uint32Array(pack.archetypes.length * YAW_STEPS);
     this.rows = new Int32Array(pack.archetypes.length * YAW_STEPS).fill(-1);
     let colors = 0;
     for (let i = 0; i < pack.clouds.count; ++i) {
@@ -42,7 +57,12 @@ export class Lighting {
 
   /** The colour of puff p is at 4 times this plus p less the first puff of the archetype. */
   firstColor(archetype: number, yawStep: number): number {
-    return this.rows[archetype * YAW_STEPS + yawStep];
+    const row = archetype * YAW_STEPS + yawStep;
+    if (this.litFor[row] !== this.setting) {
+      this.litFor[row] = this.setting;
+      this.lightRow(archetype, yawStep, this.rows[row]);
+    }
+    return this.rows[row];
   }
 
   sunColor(archetype: number): Vec3 {
@@ -50,6 +70,7 @@ export class Lighting {
   }
 
   setSun(sun: SunPlace): void {
+    ++this.setting;
     this.direction = directionTo(sun);
     this.daylight = daylightUnder(this.pack.root, sun.elevationDegrees);
     this.sky = new SkyTable(this.daylight, this.direction);
@@ -66,12 +87,12 @@ export class Lighting {
       const white = luminance(along(ambient, tone.whiteSun(), sunColor)) + 1e-6;
       const exposure = Math.min(tone.white() / white, tone.mostExposure());
       const face = (exposure * white) / tone.white();
-      for (let yaw = 0; yaw < YAW_STEPS; ++yaw)
-        if (this.firstColor(archetype, yaw) >= 0) this.lightRow(archetype, yaw, sunColor, ambient, exposure, face, lift);
+      this.lamps[archetype] = {sun: sunColor, ambient, exposure, face, lift};
     });
   }
 
-  private lightRow(index: number, yaw: number, sun: Vec3, ambient: Vec3, exposure: number, face: number, lift: number): void {
+  private lightRow(index: number, yaw: number, firstColor: number): void {
+    const {sun, ambient, exposure, face, lift} = this.lamps[index];
     const {root, responses, levelTops} = this.pack;
     const info = this.pack.archetypes[index];
     const archetype = root.archetypes(index)!;
@@ -85,7 +106,7 @@ export class Lighting {
     const first = info.firstPuff;
     const count = info.endPuff - first;
     const linear = new Float32Array(3 * count);
-    const out = 4 * this.firstColor(index, yaw);
+    const out = 4 * firstColor;
     const mean = [0, 0, 0];
     let meanWeight = 0;
     for (let i = 0; i < count; ++i) {
