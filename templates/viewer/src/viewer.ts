@@ -38,10 +38,10 @@ const TURN_RADIANS_PER_SECOND = 0.7;
 const REST_MILLISECONDS = 220;
 /** The shadows on the ground follow the sun after this long. */
 const SHADE_MILLISECONDS = 120;
-/** The sky follows it after so long. */
-const SUN_MILLISECONDS = 100;
 /** And then again, while it goes on. */
 const RESHADE_MILLISECONDS = 1500;
+/** The sky follows the sun after this long. */
+const SUN_MILLISECONDS = 100;
 /** What a list of quads may lose while the view moves, in pixels of the coarse picture; and at rest, in those of the screen. */
 const QUICK_ERROR_PIXELS = 1.5;
 const FINE_ERROR_PIXELS = 2;

@@ -15,6 +15,8 @@ const LEAST_SIMILARITY = 0.9;
 /** Of the frames a second of a sky that stands still. */
 const LEAST_SPEED = 0.8;
 const ROUNDS = 5;
+/** Other programs of the machine may spoil a comparison, but not all of them. */
+const TRIES = 4;
 
 async function open(page, folder) {
   await page.goto(pathToFileURL(join(folder, 'index.html')).href, {waitUntil: 'domcontentloaded', timeout: SECONDS * 1000});
@@ -54,7 +56,7 @@ async function playingWorks(page) {
 }
 
 /** Frames a second while the view turns, as the time stands and as it is scrubbed; by turns, so that both meet the same machine. */
-async function scrubbingIsFast(page) {
+async function scrubbed(page) {
   const {last, first} = await page.$eval('#time', (slider) => ({first: Number(slider.min), last: Number(slider.max)}));
   const flight = (from, to) =>
     page.evaluate(
@@ -82,9 +84,14 @@ async function scrubbingIsFast(page) {
     moving.push(await flight(first, last));
   }
   const median = (values) => values.sort((a, b) => a - b)[ROUNDS >> 1];
-  const share = median(moving) / median(still);
-  expect(share >= LEAST_SPEED, `scrubbing has ${median(moving).toFixed(1)} frames a second of ${median(still).toFixed(1)}`);
-  return share;
+  return {share: median(moving) / median(still), note: `${median(moving).toFixed(1)} frames a second of ${median(still).toFixed(1)}`};
+}
+
+async function scrubbingIsFast(page) {
+  const found = [];
+  for (let i = 0; i < TRIES && !(found[0]?.share >= LEAST_SPEED); ++i) found.unshift(await scrubbed(page));
+  expect(found[0].share >= LEAST_SPEED, `scrubbing has ${found.map(({note}) => note).join('; ')}`);
+  return found[0].note;
 }
 
 /** `still` is the scene of the first time alone, if it is there. */
@@ -112,7 +119,7 @@ export async function movingPageWorks(folder, still, picturePath) {
     }
     await page.click('#view-near');
     await playingWorks(page);
-    notes.push(`${Math.round(100 * (await scrubbingIsFast(page)))} % of the frames while scrubbing`);
+    notes.push(`scrubbing has ${await scrubbingIsFast(page)}`);
     expect(!seen.errors.length, `console: ${seen.errors.join(' | ')}`);
     return notes.join(', ');
   });
