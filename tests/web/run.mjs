@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Opens what `cloudgen build` wrote in the viewers that people use.
 //   node tests/web/run.mjs --scenes DIR... [--page] [--only WORDS]
-// A folder NAME.still beside a sky that moves is its first time alone: its picture is compared.
+// A folder NAME.still beside a sky that moves is one of its times alone: its picture is compared.
 // --page: only index.html; --only: only checks whose name matches this regular expression. Pictures are kept in out/.
 import {existsSync} from 'node:fs';
 import {mkdir, readFile, readdir, writeFile} from 'node:fs/promises';
