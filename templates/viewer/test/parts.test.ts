@@ -8,6 +8,8 @@ import {flightLevel, heightText} from '../src/heights';
 import {distance, normalized, type Vec3} from '../src/math';
 import {FlightPath} from '../src/path';
 import {orbited, poseTowards, targetOf, zoomed} from '../src/pose';
+import {directionTo, type Daylight} from '../src/pack/daylight';
+import {SKY_COLUMNS, SKY_ROWS, SkyTable} from '../src/pack/sky_table';
 import {Quality} from '../src/quality';
 import {TimePlayer} from '../src/time_player';
 import {minuteOfDay, sunAt} from '../src/sun_clock';
@@ -89,4 +91,19 @@ test('a sky is played from its time on, and at the end from its start', () => {
   assert.equal(shown.length, 5);
   player.goTo(9999);
   assert.equal(player.seconds, 3600);
+});
+
+test('the sky is blue by day, red towards a sun that has set, and dark blue at night', () => {
+  const skyUnder = (elevationDegrees: number, sunlight: number) => {
+    const night: Vec3 = [0.005, 0.0065, 0.011];
+    const daylight: Daylight = {zenith: night, horizon: night, ground: night, ambient: [0.1, 0.1, 0.1], bounce: night, suns: [[sunlight, sunlight, sunlight]]};
+    const {colors} = new SkyTable(daylight, directionTo({azimuthDegrees: 250, elevationDegrees}));
+    const at = (row: number, column: number) => [...colors.subarray(4 * (row * SKY_COLUMNS + column)).subarray(0, 3)];
+    return {zenith: at(SKY_ROWS - 1, SKY_COLUMNS - 1), towards: at(4, 2), away: at(4, SKY_COLUMNS - 1)};
+  };
+  const [day, dusk, night] = [skyUnder(45, 1), skyUnder(-5, 0), skyUnder(-25, 0)];
+  assert.ok(day.zenith[2] > 1.3 * day.zenith[0] && day.zenith[2] > 120, `${day.zenith}`);
+  assert.ok(dusk.towards[0] > 1.2 * dusk.towards[2] && dusk.towards[0] > 1.5 * dusk.away[0], `${dusk.towards} ${dusk.away}`);
+  assert.ok(dusk.zenith[2] > dusk.zenith[0], `${dusk.zenith}`);
+  for (const color of [night.zenith, night.towards, night.away]) assert.ok(color[2] > color[0] && color[2] > 15 && color[2] < 60, `${color}`);
 });
