@@ -52,7 +52,10 @@ async function playingWorks(page) {
   expect(Math.abs(Number(shown) - after) < 2, `the slider is at ${shown} s, the sky at ${after} s`);
 }
 
-/** Told, not demanded (80 % is the aim), as it hangs on what else the machine does: frames a second while the view turns, as the time stands and as it is scrubbed; by turns, so that both meet the same machine. */
+/**
+ * Frames a second while the view turns, as the time stands and as it is scrubbed; by turns, so that both meet the same machine. They are
+ * told, not demanded (80 % is the aim): they hang on what else the machine does.
+ */
 async function scrubbingSpeed(page) {
   const {last, first} = await page.$eval('#time', (slider) => ({first: Number(slider.min), last: Number(slider.max)}));
   const flight = (from, to) =>
