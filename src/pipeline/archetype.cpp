@@ -132,7 +132,7 @@ ArchetypeKey keyOf(const field::Layer& layer, const field::Cloud& cloud, const O
 }
 
 int opticalDepthClassOf(double opticalDepth) {
-  return 2 * classOf(std::max(0.02, opticalDepth), kOpticalDepthStep * kOpticalDepthStep);
+  return classOf(std::max(0.02, opticalDepth), kOpticalDepthStep);
 }
 
 ArchetypeKey shapeKeyOf(const ArchetypeKey& key) {

@@ -34,7 +34,7 @@ ArchetypeKey keyOf(const field::Layer& layer, const field::Cloud& cloud, const O
 /// The key of the same shape in the class 0 of optical depth.
 ArchetypeKey shapeKeyOf(const ArchetypeKey& key);
 
-/// The class that stands for clouds of about an optical depth where its own is not known yet: every second.
+/// The class that is nearest to an optical depth.
 int opticalDepthClassOf(double opticalDepth);
 
 /// The width nearest to `widthMeters` that an archetype of this depth has: what is drawn.
@@ -48,8 +48,8 @@ struct ArchetypeShape {
 };
 ArchetypeShape shapeOf(const ArchetypeKey& key, const Options& options, const Generalisation& general);
 
-/// Optical depth of a class over that of class 0. A power of two: shapes, and depths in them, are bit by bit those
-/// of class 0 times this.
+/// Optical depth of a class over that of class 0. A power of two: shapes, and depths in them, are bit by bit
+/// those of class 0 times this.
 double opticalDepthOver0(const ArchetypeKey& key);
 /// shapeOf() of a key from that of its shapeKeyOf().
 ArchetypeShape inClassOf(const ArchetypeKey& key, const ArchetypeShape& ofClass0);

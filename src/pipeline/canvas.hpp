@@ -20,12 +20,12 @@ using shape::kCoveringOpticalDepth;
 
 /// A cloud as it is painted.
 struct Stamp {
-  base::Genus genus = base::Genus::Cumulus;
+  ArchetypeKey key;
   glm::dvec2 place{0};  ///< x and z of the scene
   double widthMeters = 0, depthMeters = 0, yawRadians = 0;
   double extinctionArea = 0;  ///< integral of extinction over space, m2
   float baseMeters = 0, topMeters = 0;
-  const Footprint* footprint = nullptr;
+  const Footprint* footprint = nullptr;  ///< of the key
 };
 
 /// A layer of a cell on the canvas: what it should show and what it shows, in pixels.

@@ -123,24 +123,27 @@ class Fitting {
   Stamp stampOf(const field::Layer& layer, const Candidate& candidate, double share) {
     const shape::Recipe& recipe = context_.options.recipes.of(layer);
     Stamp stamp;
-    stamp.genus = layer.genus;
     stamp.place = candidate.scenePlace;
     stamp.depthMeters = depthAt(recipe, candidate, share);
     stamp.widthMeters = drawnWidthMeters(stamp.depthMeters, candidate.widthMeters * share);
     stamp.yawRadians = scene::yawRadians(candidate.yawStep);
     stamp.baseMeters = candidate.baseMeters;
     stamp.topMeters = candidate.baseMeters + static_cast<float>(stamp.depthMeters);
-    ArchetypeKey key =
-        shapeKeyOf(layer, candidate.number, stamp.depthMeters, stamp.widthMeters, context_.options);
-    key.opticalDepthClass = opticalDepthClassOf(candidate.opticalDepth * coveredSquareMeters(recipe, 1) /
-                                                shape::footprintSquareMeters(1));
-    stamp.footprint = &footprints_.of(key);
-    const double squareMeters = stamp.widthMeters * stamp.widthMeters;
-    const double covers = recipe.sheet
-                              ? coveredSquareMeters(recipe, 1)
-                              : stamp.footprint->coveredAlone(candidate.opticalDepth, kCoveringOpticalDepth);
-    stamp.extinctionArea = candidate.opticalDepth * covers * squareMeters;
+    stamp.key = shapeKeyOf(layer, candidate.number, stamp.depthMeters, stamp.widthMeters, context_.options);
+    const auto holdOver = [&](double covers) {
+      hold(stamp, candidate.opticalDepth * covers * stamp.widthMeters * stamp.widthMeters);
+    };
+    holdOver(coveredSquareMeters(recipe, 1));
+    if (!recipe.sheet) holdOver(stamp.footprint->coveredAlone(candidate.opticalDepth, kCoveringOpticalDepth));
     return stamp;
+  }
+
+  /// Gives a stamp that is not on the canvas its extinction, and the footprint that is drawn for it.
+  void hold(Stamp& stamp, double extinctionArea) {
+    stamp.extinctionArea = extinctionArea;
+    stamp.key.opticalDepthClass =
+        opticalDepthClassOf(extinctionArea / shape::footprintSquareMeters(stamp.widthMeters));
+    stamp.footprint = &footprints_.of(stamp.key);
   }
 
   /// What a cloud may hold, m2: a few times what it would if its optical depth were the layer's over all that
@@ -394,7 +397,7 @@ class Fitting {
       Stamp other = stampOf(layers_[filling.layer], candidate, share);
       if (std::abs(other.widthMeters / was.widthMeters - 1) < 0.01) continue;
       if (share < 1 && !holdsItsWater(other)) break;
-      other.extinctionArea = was.extinctionArea;
+      hold(other, was.extinctionArea);
       canvas_.brush(other, 1, stroke_);
       const double here = changeOfError(stroke_);
       if (here < least) best = other, least = here;
@@ -426,7 +429,7 @@ class Fitting {
       canvas_.brush(taken.stamp, -1, stroke_);
       paint();
       taken.share *= 1 + water / left;
-      taken.stamp.extinctionArea *= 1 + water / left;
+      hold(taken.stamp, taken.stamp.extinctionArea * (1 + water / left));
       canvas_.brush(taken.stamp, 1, stroke_);
       paint();
     }
@@ -442,7 +445,8 @@ class Fitting {
       if (!(whole > 0) || !(wanted > 0)) continue;
       for (Taken& taken : filling.taken) {
         const bool isNew = taken.share == 0;
-        if (filling.candidates.everyCell || isNew) taken.stamp.extinctionArea *= wanted / whole;
+        if (filling.candidates.everyCell || isNew)
+          hold(taken.stamp, taken.stamp.extinctionArea * wanted / whole);
         taken.share = filling.candidates.everyCell || isNew ? taken.stamp.extinctionArea : taken.share;
       }
     }
@@ -481,7 +485,7 @@ class Fitting {
       }
     for (Filling& filling : fillings_)
       for (Taken& taken : filling.taken)
-        if (taken.next > 0) taken.stamp.extinctionArea = taken.next;
+        if (taken.next > 0) hold(taken.stamp, taken.next);
     repaint();
   }
 

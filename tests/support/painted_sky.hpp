@@ -13,12 +13,12 @@
 
 namespace cloudgen::test {
 
-/// A scene seen from straight above: optical depth along rays through the points of a raster. Knows nothing
-/// of how the clouds came about.
+/// A scene seen from straight above: optical depth along rays through the points of a raster, of the puffs
+/// and of the blobs that viewers blend for them. Knows nothing of how the clouds came about.
 struct PaintedSky {
   int columns = 0, rows = 0;
   double pixelMeters = 0;
-  std::vector<float> opticalDepth;
+  std::vector<float> opticalDepth, drawn;
 
   /// Of the clouds of one genus, or of all.
   PaintedSky(const scene::Scene& scene, double pixel, std::optional<base::Genus> genus = {})
@@ -27,11 +27,19 @@ struct PaintedSky {
     columns = std::max(1, static_cast<int>(size.x / pixel)),
     rows = std::max(1, static_cast<int>(size.y / pixel));
     opticalDepth.assign(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), 0);
+    drawn = opticalDepth;
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
       if (genus && scene.clouds[i].genus != *genus) continue;
       const auto& lit = scene.lit[scene.instances[i].lit];
-      for (const shape::Puff& puff : scene.archetypes[lit.archetype].puffs)
-        paint(scene::placed(scene, scene.instances[i], puff));
+      const scene::Archetype& archetype = scene.archetypes[lit.archetype];
+      for (const shape::Puff& puff : archetype.puffs) {
+        const shape::Puff placed = scene::placed(scene, scene.instances[i], puff);
+        paint(placed, opticalDepth, [depth = shape::frontalOpticalDepth(placed)](double gaussian) {
+          return depth * static_cast<float>(gaussian);
+        });
+        const shape::Puff blob = shape::widenedAcross(placed, archetype.covering);
+        paint(blob, drawn, shape::BlendedProfile(shape::frontalOpticalDepth(blob)));
+      }
     }
   }
 
@@ -41,7 +49,7 @@ struct PaintedSky {
     double meanOpticalDepth() const { return opticalDepth / pixels; }
   };
 
-  /// By cell of the grid; covered is what has more than `threshold`.
+  /// By cell of the grid; covered is where more than `threshold` is drawn.
   std::map<std::uint32_t, Seen> byCell(const scene::Scene& scene, const field::Grid& grid,
                                        double threshold = 0.1) const {
     std::map<std::uint32_t, Seen> cells;
@@ -54,21 +62,23 @@ struct PaintedSky {
         const auto cell = finder.at({place.x, place.y});
         if (!cell) continue;
         Seen& seen = cells[*cell];
-        const float depth = at(column, row);
         seen.pixels += 1;
-        seen.covered += depth > threshold;
-        seen.opticalDepth += depth;
+        seen.covered += drawn[indexOf(column, row)] > threshold;
+        seen.opticalDepth += at(column, row);
       }
     return cells;
   }
 
-  float at(int column, int row) const {
-    return opticalDepth[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
-                        static_cast<std::size_t>(column)];
-  }
+  float at(int column, int row) const { return opticalDepth[indexOf(column, row)]; }
 
  private:
-  void paint(const shape::Puff& puff) {
+  std::size_t indexOf(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+           static_cast<std::size_t>(column);
+  }
+
+  template <class Profile>
+  void paint(const shape::Puff& puff, std::vector<float>& onto, Profile profile) {
     const glm::mat3 axes = glm::mat3_cast(puff.rotation);
     double xx = 0, zz = 0, xz = 0;
     for (int k = 0; k < 3; ++k) {
@@ -77,7 +87,6 @@ struct PaintedSky {
           xz += s * s * axes[k].x * axes[k].z;
     }
     const double det = xx * zz - xz * xz;
-    const double peak = shape::extinctionArea(puff) / (2 * std::numbers::pi * std::sqrt(det));
     const double x = puff.center.x - lower_.x, z = puff.center.z - lower_.y;
     const double reachX = 4 * std::sqrt(xx), reachZ = 4 * std::sqrt(zz);
     const int left = std::max(0, static_cast<int>((x - reachX) / pixelMeters)),
@@ -88,8 +97,7 @@ struct PaintedSky {
       for (int column = left; column <= right; ++column) {
         const double dx = (column + 0.5) * pixelMeters - x, dz = (row + 0.5) * pixelMeters - z;
         const double q = (zz * dx * dx - 2 * xz * dx * dz + xx * dz * dz) / det;
-        opticalDepth[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
-                     static_cast<std::size_t>(column)] += static_cast<float>(peak * std::exp(-0.5 * q));
+        onto[indexOf(column, row)] += profile(std::exp(-0.5 * q));
       }
   }
 
