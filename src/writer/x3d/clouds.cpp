@@ -113,7 +113,9 @@ class CloudWalk {
     isParted_.assign(scene_.instances.size(), false);
     std::size_t puffs = scene_.instances.size();
     for (const std::uint32_t i : widestFirst) {
-      puffs += std::max<std::size_t>(archetypeOf(scene_.instances[i]).farPuffs.size(), 1) - 1;
+      const std::size_t parts = archetypeOf(scene_.instances[i]).farPuffs.size();
+      if (parts == 0) continue;
+      puffs += parts - 1;
       if (puffs > kFarPuffs) break;
       isParted_[i] = true;
     }
