@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <glm/geometric.hpp>
 #include <span>
 
 #include "pipeline/archetype.hpp"
@@ -94,8 +94,9 @@ Candidates candidatesOf(const CandidateContext& context, const field::Layer& lay
         const double u = along(column, lattice.columns), v = along(row, lattice.rows);
         if (stream.uniform() >= chance) continue;
         candidate.place = field::pointIn(grid, layer.cell, u, v);
-        if (!frame.box().contains(candidate.place.longitudeDegrees, candidate.place.latitudeDegrees))
-          continue;
+        const bool inside =
+            frame.box().contains(candidate.place.longitudeDegrees, candidate.place.latitudeDegrees);
+        if (!inside && (!candidates.list.empty() || candidates.outside)) continue;
         if (!around) around = layersByCell.of(layer);
         LayerAtPlace here = around->at(u, v);
         // What stands apart shows no seam between cells, and has the heights of its own.
@@ -123,7 +124,10 @@ Candidates candidatesOf(const CandidateContext& context, const field::Layer& lay
             frame.toScene(candidate.place.longitudeDegrees, candidate.place.latitudeDegrees, 0);
         candidate.scenePlace = {scene.x, scene.z};
         candidate.yawStep = yawStepOf(layer, candidate.number, candidate.place, options, frame);
-        candidates.list.push_back(candidate);
+        if (inside)
+          candidates.list.push_back(candidate);
+        else
+          candidates.outside = candidate;
       }
   };
   const auto places = static_cast<std::uint32_t>(lattice.columns * lattice.rows);
@@ -133,6 +137,7 @@ Candidates candidatesOf(const CandidateContext& context, const field::Layer& lay
     addLattice(places, 0.5, kReserve);
   if (candidates.everyCell && recipe.form == shape::Form::Filaments && !recipe.sheet)
     addLattice(2 * places, 0.25, 2 * kReserve);
+  candidates.nextNumber = 3 * places;
   std::sort(candidates.list.begin(), candidates.list.end(), [](const Candidate& a, const Candidate& b) {
     return std::pair(a.rank, a.number) < std::pair(b.rank, b.number);
   });
@@ -140,6 +145,31 @@ Candidates candidatesOf(const CandidateContext& context, const field::Layer& lay
     reachTheTop(candidates.list, static_cast<std::size_t>(std::lround(layer.fraction * area / covers)),
                 layer);
   return candidates;
+}
+
+bool moveTo(const CandidateContext& context, const field::Layer& layer, const glm::dvec2& scenePlace,
+            Candidate& candidate) {
+  const glm::dvec3 geo = context.frame.toGeographic({scenePlace.x, 0, scenePlace.y});
+  if (!context.frame.box().contains(geo.x, geo.y)) return false;
+  candidate.place = {geo.x, geo.y};
+  candidate.scenePlace = scenePlace;
+  candidate.yawStep = yawStepOf(layer, candidate.number, candidate.place, context.options, context.frame);
+  return true;
+}
+
+std::optional<Candidate> candidateAt(const CandidateContext& context, const field::Layer& layer,
+                                     Candidates& candidates, const glm::dvec2& scenePlace) {
+  const auto nearest = std::min_element(
+      candidates.list.begin(), candidates.list.end(), [&](const Candidate& a, const Candidate& b) {
+        const auto away = [&](const Candidate& c) { return glm::distance(c.scenePlace, scenePlace); };
+        return std::pair(away(a), a.number) < std::pair(away(b), b.number);
+      });
+  if (nearest == candidates.list.end() && !candidates.outside) return std::nullopt;
+  Candidate candidate = nearest == candidates.list.end() ? *candidates.outside : *nearest;
+  candidate.number = candidates.nextNumber;
+  if (!moveTo(context, layer, scenePlace, candidate)) return std::nullopt;
+  ++candidates.nextNumber;
+  return candidate;
 }
 
 }  // namespace cloudgen::pipeline

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "base/frame.hpp"
@@ -33,9 +34,11 @@ struct CandidateContext {
 
 /// What a layer may have.
 struct Candidates {
-  std::vector<Candidate> list;  ///< best first
-  std::size_t elements = 0;     ///< of them, those that would cover the whole cell
-  bool everyCell = true;        ///< false where a cloud covers more than a cell: some have none
+  std::vector<Candidate> list;       ///< best first
+  std::size_t elements = 0;          ///< of them, those that would cover the whole cell
+  bool everyCell = true;             ///< false where a cloud covers more than a cell: some have none
+  std::optional<Candidate> outside;  ///< one that would stand outside the box, if there are no others
+  std::uint32_t nextNumber = 0;      ///< that none of them has
 };
 
 /// All places inside the box where a cloud of a layer may stand: a jittered lattice over its
@@ -43,5 +46,14 @@ struct Candidates {
 /// About three times as many as the layer needs; elements of a sheet, as many as would cover the whole cell.
 /// Where a cell is smaller than what a cloud covers it has one now and then.
 Candidates candidatesOf(const CandidateContext& context, const field::Layer& layer);
+
+/// Moves a candidate. False, and nothing done, where the place lies outside the box.
+bool moveTo(const CandidateContext& context, const field::Layer& layer, const glm::dvec2& scenePlace,
+            Candidate& candidate);
+
+/// The nearest of the candidates of a layer once more, at another place, under the next number. Nothing where
+/// the place lies outside the box, or where the layer can have no cloud.
+std::optional<Candidate> candidateAt(const CandidateContext& context, const field::Layer& layer,
+                                     Candidates& candidates, const glm::dvec2& scenePlace);
 
 }  // namespace cloudgen::pipeline

@@ -82,11 +82,12 @@ Canvas::Canvas(const field::Grid& grid, const base::LocalFrame& frame, std::span
   columns_ = static_cast<int>(size.x / pixelMeters_) + 1;
   rows_ = static_cast<int>(size.y / pixelMeters_) + 1;
   assignPixels(grid, frame);
-  for (const PaintedCell& cell : cells_)
+  for (PaintedCell& cell : cells_)
     for (std::uint32_t i = cell.firstLayer; i < cell.firstLayer + cell.layerCount; ++i) {
       const field::Layer& layer = layers[layers_[i].layer];
       layers_[i].wantedCover = static_cast<double>(layer.fraction) * cell.pixels;
       layers_[i].wantedOpticalDepth = layers_[i].wantedCover * layer.opticalDepth();
+      cell.wantedOpticalDepth += layers_[i].wantedOpticalDepth;
     }
   const std::size_t pixels = cellOf_.size();
   values_.assign(planes_ * pixels, 0);
@@ -109,7 +110,19 @@ void Canvas::assignPixels(const field::Grid& grid, const base::LocalFrame& frame
       if (index >= cells_.size() || cells_[index].cell != *cell) continue;
       cellOf_[pixel] = static_cast<std::int32_t>(index);
       ++cells_[index].pixels;
+      cells_[index].middle += middleOf(static_cast<std::uint32_t>(pixel));
     }
+  std::uint32_t first = 0;
+  for (PaintedCell& one : cells_) {
+    one.firstPixel = first;
+    one.middle /= std::max(one.pixels, 1);
+    first += static_cast<std::uint32_t>(one.pixels);
+  }
+  pixelsByCell_.resize(first);
+  std::vector<std::uint32_t> next;
+  for (const PaintedCell& one : cells_) next.push_back(one.firstPixel);
+  for (std::uint32_t i = 0; i < cellOf_.size(); ++i)
+    if (cellOf_[i] >= 0) pixelsByCell_[next[static_cast<std::size_t>(cellOf_[i])]++] = i;
 }
 
 void Canvas::gatherLayers(std::span<const field::Layer> layers) {
@@ -144,12 +157,15 @@ std::uint32_t Canvas::indexOf(std::uint32_t cell) const {
 }
 
 void Canvas::divideHeights(const PaintedCell& cell) {
-  constexpr float kDistanceMeters = 500;  // from the lowest and the highest layer to what is astray
+  constexpr float kDistanceMeters = 500;  // from a layer to what is astray, or half-way to the next
   const std::span<PaintedLayer> own(layers_.data() + cell.firstLayer, cell.layerCount);
   for (std::size_t i = 0; i < own.size(); ++i) {
-    own[i].zoneLowerMeters = i == 0 ? own[i].baseMeters - kDistanceMeters : own[i - 1].zoneUpperMeters;
-    own[i].zoneUpperMeters = i + 1 == own.size() ? own[i].topMeters + kDistanceMeters
-                                                 : 0.5f * (own[i].topMeters + own[i + 1].baseMeters);
+    own[i].zoneLowerMeters = own[i].baseMeters - kDistanceMeters;
+    own[i].zoneUpperMeters = own[i].topMeters + kDistanceMeters;
+    if (i == 0) continue;
+    const float between = 0.5f * (own[i - 1].topMeters + own[i].baseMeters);
+    own[i - 1].zoneUpperMeters = std::min(own[i - 1].zoneUpperMeters, between);
+    own[i].zoneLowerMeters = std::max(own[i].zoneLowerMeters, between);
   }
 }
 
@@ -288,6 +304,26 @@ void Canvas::clear() {
   std::fill(coveringPlanes_.begin(), coveringPlanes_.end(), std::uint16_t{0});
   for (PaintedCell& cell : cells_) cell.covered = 0;
   for (PaintedLayer& layer : layers_) layer.covered = 0, layer.opticalDepth = 0;
+}
+
+glm::dvec2 Canvas::middleOf(std::uint32_t pixel) const {
+  const auto columns = static_cast<std::uint32_t>(columns_);
+  return lower_ + pixelMeters_ * glm::dvec2(pixel % columns + 0.5, pixel / columns + 0.5);
+}
+
+std::vector<glm::dvec2> Canvas::placesIn(const PaintedCell& cell) const {
+  std::vector<glm::dvec2> places;
+  for (const std::uint32_t pixel : pixelsOf(cell)) places.push_back(middleOf(pixel));
+  return places;
+}
+
+std::vector<glm::dvec2> Canvas::gapsOf(const PaintedCell& cell, const PaintedLayer& layer) const {
+  const std::size_t plane =
+      (static_cast<std::size_t>(&layer - layers_.data()) - cell.firstLayer) * cellOf_.size();
+  std::vector<glm::dvec2> gaps;
+  for (const std::uint32_t pixel : pixelsOf(cell))
+    if (!(values_[plane + pixel] > kCovering)) gaps.push_back(middleOf(pixel));
+  return gaps;
 }
 
 bool Canvas::coveredByOthers(const glm::dvec2& place, const PaintedLayer& layer) const {

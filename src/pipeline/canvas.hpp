@@ -32,7 +32,7 @@ struct Stamp {
 struct PaintedLayer {
   std::uint32_t layer = 0;  ///< index in the table
   float baseMeters = 0, topMeters = 0;
-  float zoneLowerMeters = 0, zoneUpperMeters = 0;  ///< half-way to the layers below and above
+  float zoneLowerMeters = 0, zoneUpperMeters = 0;  ///< a little further, at most half-way to the next
   bool covers = true;                              ///< false for layers too thin to cover anything
   double wantedCover = 0, wantedOpticalDepth = 0;
   int covered = 0;
@@ -42,11 +42,13 @@ struct PaintedLayer {
 /// A model cell on the canvas. Its layers are layers()[firstLayer .. + layerCount); one more stands after
 /// them for what strays in at heights where the cell has no cloud: it should show nothing.
 struct PaintedCell {
-  std::uint32_t cell = 0;  ///< grid index
-  int pixels = 0;          ///< inside the box
-  int covered = 0;         ///< by any layer
-  double wantedCover = 0;  ///< of all layers together
+  std::uint32_t cell = 0;         ///< grid index
+  int pixels = 0;                 ///< inside the box
+  int covered = 0;                ///< by any layer
+  double wantedOpticalDepth = 0;  ///< of all layers together, as theirs
   std::uint32_t firstLayer = 0, layerCount = 0;
+  std::uint32_t firstPixel = 0;  ///< in the canvas' list by cell
+  glm::dvec2 middle{0};          ///< of what of it is inside the box
 };
 
 /// What one stamp would change.
@@ -90,12 +92,19 @@ class Canvas {
   void paint(const Stroke& stroke);
   /// As if nothing had been painted.
   void clear();
+  /// Middles of the pixels of a cell, row by row: all; those that one of its layers does not cover.
+  std::vector<glm::dvec2> placesIn(const PaintedCell& cell) const;
+  std::vector<glm::dvec2> gapsOf(const PaintedCell& cell, const PaintedLayer& layer) const;
   /// True if a layer other than this covers the place.
   bool coveredByOthers(const glm::dvec2& place, const PaintedLayer& layer) const;
 
  private:
   void assignPixels(const field::Grid& grid, const base::LocalFrame& frame);
   void gatherLayers(std::span<const field::Layer> layers);
+  std::span<const std::uint32_t> pixelsOf(const PaintedCell& cell) const {
+    return std::span(pixelsByCell_).subspan(cell.firstPixel, static_cast<std::size_t>(cell.pixels));
+  }
+  glm::dvec2 middleOf(std::uint32_t pixel) const;
   void divideHeights(const PaintedCell& cell);
   /// Adds what a stamp touches of a cell.
   void touch(std::uint32_t cell, const Stamp& stamp, std::vector<Stroke::Touched>& touched) const;
@@ -106,6 +115,7 @@ class Canvas {
   std::vector<PaintedCell> cells_;
   std::vector<PaintedLayer> layers_;
   std::vector<std::int32_t> cellOf_;           ///< a pixel's, -1 outside the box
+  std::vector<std::uint32_t> pixelsByCell_;    ///< those of a cell one after the other
   std::vector<std::uint16_t> coveringPlanes_;  ///< of a pixel
   std::vector<std::uint32_t>
       touchedAs_;  ///< of a cell: its place in the stroke that was brushed last, if it is there

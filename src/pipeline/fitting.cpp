@@ -20,11 +20,17 @@ constexpr std::array<double, 8> kShares{1, 0.7071, 0.5, 0.3536, 0.25, 0.1768, 0.
 constexpr int kRounds = 4, kBalancings = 2, kLastBalancings = 8;
 /// Candidates that may fail one after the other before a layer is left as it is.
 constexpr int kPatience = 12;
+/// Places at which one more cloud of a layer is tried.
+constexpr std::size_t kTrials = 12;
+/// A layer that shows less than this share of its optical depth lacks a cloud.
+constexpr double kLittleWater = 0.7;
 /// Weight of the cover of all layers together, beside that of each.
 constexpr double kWeightOfAll = 0.5;
 /// Weight of the mean error of the whole sky, squared, beside the mean of the squared errors of its cells:
 /// errors of cells that all have one sign make a bias.
-constexpr double kWeightOfMean = 10;
+constexpr double kWeightOfMean = 20, kToleratedMean = 0.01;
+/// Weight of what optical depth lacks or is too much, and of what strays in, as a squared error of cover.
+constexpr double kWeightOfDepth = 0.6, kWeightOfStray = 0.2;
 constexpr double kFullCover = 0.985, kNear = 0.01;
 /// Weight of a full sheet: a gap in it is seen sooner than one among many.
 constexpr double kWeightOfFull = 4;
@@ -82,8 +88,8 @@ class Fitting {
       shareOutWater();
       balanceOpticalDepth(round + 1 < kRounds ? kBalancings : kLastBalancings);
       for (Filling& filling : fillings_) {
-        redraw(filling);
-        if (round + 1 < kRounds) addWhereCoverIsMissing(filling);
+        if (round + 1 < kRounds || !isFullSheet(filling)) redraw(filling);
+        if (round + 1 < kRounds) addWhereSomethingIsMissing(filling);
       }
     }
     std::vector<FittedCloud> clouds;
@@ -194,8 +200,23 @@ class Fitting {
                 (squared(layer.covered + touched.coveredChange - layer.wantedCover) -
                  squared(layer.covered - layer.wantedCover));
       change += here / cell.pixels;
+      change += changeOfDepth(cell, layer, touched.opticalDepth);
     }
     return change;
+  }
+
+  /// Optical depth that lacks or is too much, as a share of the cell's. What strays in takes base and top of
+  /// a cell with it as soon as it is more than a twentieth.
+  double changeOfDepth(const PaintedCell& cell, const PaintedLayer& layer, double opticalDepth) const {
+    const double whole = cell.wantedOpticalDepth;
+    if (!allAreFilled_ || !(whole > 0)) return 0;
+    const bool astray = layer.wantedOpticalDepth == 0;
+    const auto harm = [&](double depth) {
+      const double error = squared((depth - layer.wantedOpticalDepth) / whole);
+      return astray ? kWeightOfStray * error / (error + squared(field::kBorderShare))
+                    : kWeightOfDepth * error / (error + 1);
+    };
+    return cell.pixels * (harm(layer.opticalDepth + opticalDepth) - harm(layer.opticalDepth));
   }
 
   /// What stands astray counts for the genus that it strays from.
@@ -210,9 +231,15 @@ class Fitting {
 
   double changeOfMeanError(const Surplus& change) const {
     if (!allAreFilled_) return 0;
-    double sum = kWeightOfAll * (squared(surplus_.ofAll + change.ofAll) - squared(surplus_.ofAll));
+    // Squared up to what is tolerated, no steeper beyond: or one genus that cannot but cover too much would
+    // be driven out where it lacks.
+    const auto harm = [&](double surplus) {
+      const double tolerated = kToleratedMean * pixels_, error = std::abs(surplus);
+      return error < tolerated ? squared(error) : tolerated * (2 * error - tolerated);
+    };
+    double sum = kWeightOfAll * (harm(surplus_.ofAll + change.ofAll) - harm(surplus_.ofAll));
     for (std::size_t g = 0; g < change.ofGenus.size(); ++g)
-      sum += squared(surplus_.ofGenus[g] + change.ofGenus[g]) - squared(surplus_.ofGenus[g]);
+      sum += harm(surplus_.ofGenus[g] + change.ofGenus[g]) - harm(surplus_.ofGenus[g]);
     return kWeightOfMean * sum / pixels_;
   }
 
@@ -355,19 +382,58 @@ class Fitting {
       if (!isFullSheet(filling) || strays(filling.taken[i].stamp)) redraw(filling, i);
   }
 
-  /// True if a stamp that is on the canvas covers something where there should be nothing.
+  /// True if a stamp that is on the canvas covers something where too much is covered.
   bool strays(const Stamp& stamp) {
     canvas_.brush(stamp, -1, stroke_);
     return std::any_of(stroke_.touched.begin(), stroke_.touched.end(), [&](const Stroke::Touched& touched) {
-      return touched.coveredChange < 0 && canvas_.layers()[touched.layer].wantedCover == 0;
+      const PaintedLayer& layer = canvas_.layers()[touched.layer];
+      return touched.coveredChange < 0 &&
+             layer.covered > layer.wantedCover + kNear * canvas_.cells()[touched.cell].pixels;
     });
   }
 
-  void addWhereCoverIsMissing(Filling& filling) {
+  void addWhereSomethingIsMissing(Filling& filling) {
+    const PaintedCell& cell = canvas_.cells()[filling.cell];
     const PaintedLayer& painted = canvas_.layers()[filling.painted];
-    if (canvas_.cells()[filling.cell].pixels == 0 || painted.covered >= painted.wantedCover) return;
-    coveredBefore_ = canvas_.cells()[filling.cell].covered;
-    addMore(filling);
+    if (cell.pixels == 0) return;
+    if (painted.covered < painted.wantedCover) {
+      coveredBefore_ = cell.covered;
+      addMore(filling);
+    }
+    const bool owesNoMore =
+        isThin(layerClassOf(layers_[filling.layer].opticalDepth())) && !isFullSheet(filling);
+    if (!painted.covers || owesNoMore) return;
+    for (std::size_t added = 0; added < std::max<std::size_t>(1, filling.candidates.elements); ++added) {
+      const bool lacksCover = painted.covered < painted.wantedCover - kNear * cell.pixels,
+                 lacksWater = painted.opticalDepth < kLittleWater * painted.wantedOpticalDepth;
+      if (!lacksCover && !lacksWater) return;
+      if (!takeOneAt(filling, lacksCover ? canvas_.gapsOf(cell, painted) : canvas_.placesIn(cell))) return;
+    }
+  }
+
+  /// Takes one more cloud of a layer at whichever of some places takes the canvas nearest to what is wanted,
+  /// if any does: where none of its candidates need stand.
+  bool takeOneAt(Filling& filling, std::span<const glm::dvec2> places) {
+    const field::Layer& layer = layers_[filling.layer];
+    std::optional<Stamp> best;
+    Candidate bestCandidate;
+    double least = 0;
+    for (std::size_t trial = 0; trial < kTrials && !places.empty(); ++trial) {
+      const glm::dvec2& place = places[(2 * trial + 1) * places.size() / (2 * kTrials)];
+      const std::optional<Candidate> candidate = candidateAt(context_, layer, filling.candidates, place);
+      if (!candidate) continue;
+      for (const double share : kShares) {
+        if (isTooNarrow(recipeOf(filling), *candidate, share)) break;
+        const Stamp stamp = stampOf(layer, *candidate, share);
+        canvas_.brush(stamp, 1, stroke_);
+        const double change = changeOfError(stroke_);
+        if (change < least) best = stamp, least = change, bestCandidate = *candidate;
+      }
+    }
+    if (!best) return false;
+    filling.candidates.list.push_back(bestCandidate);
+    accept(filling, static_cast<std::uint32_t>(filling.candidates.list.size() - 1), *best);
+    return true;
   }
 
   /// True where a layer, and all layers of its cell together, cover what they should within a hundredth.
@@ -381,31 +447,45 @@ class Fitting {
 
   void redraw(Filling& filling, std::size_t i) {
     const Stamp was = filling.taken[i].stamp;
+    const bool tooFarOut = strays(was);
     canvas_.brush(was, -1, stroke_);
     const double change = changeOfError(stroke_);
     paint();
-    const Candidate& candidate = filling.candidates.list[filling.taken[i].candidate];
+    Candidate& candidate = filling.candidates.list[filling.taken[i].candidate];
     const shape::Recipe& recipe = recipeOf(filling);
+    const field::Layer& layer = layers_[filling.layer];
     const auto holdsItsWater = [&](const Stamp& stamp) {
       return was.extinctionArea <= mostHeld(recipe, candidate, stamp);
     };
     double least =
         holdsItsWater(was) ? -change : std::numeric_limits<double>::max();  // of drawing it as it was
     Stamp best = was;
-    for (const double share : kShares) {
-      if (isTooNarrow(recipe, candidate, share)) break;
-      Stamp other = stampOf(layers_[filling.layer], candidate, share);
-      if (std::abs(other.widthMeters / was.widthMeters - 1) < 0.01) continue;
-      if (share < 1 && !holdsItsWater(other)) break;
-      hold(other, was.extinctionArea);
-      canvas_.brush(other, 1, stroke_);
-      const double here = changeOfError(stroke_);
-      if (here < least) best = other, least = here;
+    Candidate bestCandidate = candidate;
+    const auto tryHere = [&](const Candidate& here) {
+      for (const double share : kShares) {
+        if (isTooNarrow(recipe, here, share)) break;
+        Stamp other = stampOf(layer, here, share);
+        if (other.place == was.place && std::abs(other.widthMeters / was.widthMeters - 1) < 0.01) continue;
+        if (share < 1 && !holdsItsWater(other)) break;
+        hold(other, was.extinctionArea);
+        canvas_.brush(other, 1, stroke_);
+        const double error = changeOfError(stroke_);
+        if (error < least) best = other, least = error, bestCandidate = here;
+      }
+    };
+    tryHere(candidate);
+    // What covers too much next door may stand further in, too.
+    const glm::dvec2 middle = canvas_.cells()[filling.cell].middle;
+    for (const double inwards : {0.25, 0.5}) {
+      Candidate moved = candidate;
+      if (tooFarOut && moveTo(context_, layer, glm::mix(candidate.scenePlace, middle, inwards), moved))
+        tryHere(moved);
     }
     if (least > 0 && canBeMissed(filling, i)) return giveAway(filling, i);
     canvas_.brush(best, 1, stroke_);
     paint();
     filling.taken[i].stamp = best;
+    candidate = bestCandidate;
   }
 
   /// True if the others of its layer can hold the water of a cloud, too.
@@ -438,6 +518,12 @@ class Fitting {
   /// The clouds of each layer hold what the layer holds; those that stand for many cells keep what they have.
   void shareOutWater() {
     for (Filling& filling : fillings_) {
+      // Elements of a sheet that were drawn narrower leave what they held to the others, or they would be
+      // knots.
+      if (filling.candidates.everyCell && recipeOf(filling).sheet)
+        for (Taken& taken : filling.taken)
+          taken.stamp.extinctionArea =
+              filling.candidates.list[taken.candidate].opticalDepth * squared(taken.stamp.widthMeters);
       double whole = 0;
       for (const Taken& taken : filling.taken) whole += taken.stamp.extinctionArea;
       const double wanted =
@@ -536,7 +622,7 @@ double pixelMetersFor(const CandidateContext& context, std::span<const field::La
   const double cellMeters = std::sqrt(weight / cell), cloudMeters = std::sqrt(weight / cloud);
   // Where a cloud spans many cells each needs but a pixel or two.
   if (cloudMeters > 2 * cellMeters) return std::max(cellMeters / 2, cloudMeters / 12);
-  return std::min(cloudMeters / 4, cellMeters / (cellMeters > cloudMeters ? 40 : 8));
+  return std::min(cloudMeters / 4, cellMeters / (cellMeters > cloudMeters ? 20 : 8));
 }
 
 }  // namespace
