@@ -49,6 +49,7 @@ else
 fi
 
 say "What each real input gave (cli_Inputs)"
+printf '| file | format, model | levels | times | grid | found | clouds | warnings |\n|---|---|---|---|---|---|---|---|\n'
 grep -a '^| ' build/dev/Testing/Temporary/LastTest.log || echo "nothing: ../shared/data is not there"
 
 say "Skies, and what the validator says of them"
@@ -94,7 +95,7 @@ if [ ! "$installed" -nt "$lock" ]; then
   npm ci --prefix tests/web --no-audit --no-fund --loglevel=error || { fail 1 "npm ci of tests/web: is the registry there?"; finish; }
 fi
 if [ ${#made[@]} -gt 0 ]; then
-  node tests/web/run.mjs --scenes "${made[@]}" 2>&1 | tee build/web.log
+  node tests/web/run.mjs --spread --scenes "${made[@]}" 2>&1 | tee build/web.log
   counts=$(grep -E '^[0-9]+ passed, [0-9]+ failed' build/web.log | tail -1)
   if [ -n "$counts" ]; then
     read -r good _ broken _ <<<"$counts"

@@ -24,12 +24,20 @@ std::uint64_t hashedZ(std::uint64_t hashOfXy, std::int64_t z) {
   return h ^ (h >> 31);
 }
 
-/// The twelve edge directions of a cube, as Perlin 2002 chose them.
+/// The twelve edge directions of a cube, four of them twice, as Perlin 2002 chose them. A table, for a choice by
+/// chance is one that processors cannot foresee.
+constexpr double kSlopes[16][3]{{1, 1, 0},  {-1, 1, 0},  {1, -1, 0}, {-1, -1, 0}, {1, 0, 1},  {-1, 0, 1},
+                                {1, 0, -1}, {-1, 0, -1}, {0, 1, 1},  {0, -1, 1},  {0, 1, -1}, {0, -1, -1},
+                                {1, 1, 0},  {0, -1, 1},  {-1, 1, 0}, {0, -1, -1}};
+
 double slope(std::uint64_t hash, double x, double y, double z) {
-  const int edge = static_cast<int>(hash & 15);
-  const double u = edge < 8 ? x : y;
-  const double v = edge < 4 ? y : (edge == 12 || edge == 14 ? x : z);
-  return ((edge & 1) ? -u : u) + ((edge & 2) ? -v : v);
+  const double* const along = kSlopes[hash & 15];
+  return along[0] * x + along[1] * y + along[2] * z;
+}
+
+std::int64_t floorOf(double value) {
+  const auto towardsZero = static_cast<std::int64_t>(value);
+  return towardsZero - (value < static_cast<double>(towardsZero));
 }
 
 double fade(double t) { return t * t * t * (t * (t * 6.0 - 15.0) + 10.0); }
@@ -39,10 +47,9 @@ double mix(double a, double b, double t) { return a + (b - a) * t; }
 }  // namespace
 
 double gradientNoise(const glm::dvec3& point, std::uint64_t seed) {
-  const double fx = std::floor(point.x), fy = std::floor(point.y), fz = std::floor(point.z);
-  const auto x = static_cast<std::int64_t>(fx), y = static_cast<std::int64_t>(fy),
-             z = static_cast<std::int64_t>(fz);
-  const double dx = point.x - fx, dy = point.y - fy, dz = point.z - fz;
+  const std::int64_t x = floorOf(point.x), y = floorOf(point.y), z = floorOf(point.z);
+  const double dx = point.x - static_cast<double>(x), dy = point.y - static_cast<double>(y),
+               dz = point.z - static_cast<double>(z);
   const double u = fade(dx), v = fade(dy), w = fade(dz);
   std::uint64_t hashes[2][2];
   for (int i = 0; i < 2; ++i) {

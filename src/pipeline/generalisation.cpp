@@ -5,11 +5,10 @@
 #include <cmath>
 #include <functional>
 #include <map>
-#include <tuple>
 
 #include "pipeline/archetype.hpp"
 #include "pipeline/canvas.hpp"
-
+#include "pipeline/measured_clouds.hpp"
 #include "shape/file_shape.hpp"
 #include "shape/generate.hpp"
 
@@ -146,10 +145,8 @@ double puffsOf(Generalisation& general, const Demand& demand, const RecipeBook& 
   return puffs;
 }
 
-/// Puffs that are drawn for one, and covered ground over the nominal footprint: the mean of an archetype's
-/// variants.
-std::pair<double, double> measured(ArchetypeKey key, const Share& share, const Generalisation& general,
-                                   const Options& options) {
+MeasuredCloud measuredOf(ArchetypeKey key, const Share& share, const Generalisation& general,
+                         const Options& options) {
   double parts = 0, wider = 0;
   for (key.variant = 0; key.variant < kVariants; ++key.variant) {
     const ArchetypeShape shape = shapeOf(key, options, general);
@@ -165,8 +162,9 @@ std::pair<double, double> measured(ArchetypeKey key, const Share& share, const G
 }
 
 /// What clouds of each share are drawn with and what they cover, genus by genus and class by class.
-void measureClouds(const Generalisation& general, Demand& demand, const Options& options) {
-  std::map<ArchetypeKey, std::pair<double, double>> known;
+void measureClouds(const Generalisation& general, Demand& demand, const Options& options,
+                   MeasuredClouds& measured) {
+  std::map<ArchetypeKey, MeasuredCloud> known;
   for (Share& share : demand.shares) {
     const double width = meanWidthMeters(general, *share.recipe, share.depthMeters, share.fraction);
     field::Layer layer;
@@ -179,8 +177,13 @@ void measureClouds(const Generalisation& general, Demand& demand, const Options&
     ArchetypeKey key = keyOf(layer, cloud, options);
     key.variant = 0;
     const auto [found, isNew] = known.try_emplace(key);
-    if (isNew) found->second = measured(key, share, general, options);
-    std::tie(share.parts, share.wider) = found->second;
+    if (isNew) {
+      const int puffs = general.puffsPerCloud[static_cast<std::size_t>(key.genus)];
+      const auto [before, isFirst] = measured.known.try_emplace({key, puffs, share.opticalDepth});
+      if (isFirst) before->second = measuredOf(key, share, general, options);
+      found->second = before->second;
+    }
+    share.parts = found->second.parts, share.wider = found->second.wider;
   }
 }
 
@@ -208,7 +211,8 @@ double enlargementOf(const Generalisation& general, std::span<const field::Layer
 }
 
 Generalisation generalise(const field::Grid& grid, std::span<const field::Layer> layers,
-                          const Options& options, const base::GeoBox& box, double maxPuffs) {
+                          const Options& options, const base::GeoBox& box, double maxPuffs,
+                          MeasuredClouds& measured) {
   Generalisation out;
   Demand demand;
   double boxArea = 0, cellArea = 0;
@@ -255,7 +259,7 @@ Generalisation generalise(const field::Grid& grid, std::span<const field::Layer>
     }
   };
   spend();
-  measureClouds(out, demand, options);
+  measureClouds(out, demand, options, measured);
   spend();
   // What the budget leaves over makes clouds richer.
   const double richness =

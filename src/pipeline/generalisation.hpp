@@ -18,8 +18,11 @@ struct Generalisation {
   double detail = 1;  ///< puffs of a cloud, as a share of what its width asks for; 0 as few as may be
   /// Sheets are made of elements no wider than that, so that they can tell the cover of a cell.
   double elementMeters = 1e9;
-  std::array<int, base::kGenusCount> puffsPerCloud;  ///< one level of detail a genus
+  std::array<int, base::kGenusCount> puffsPerCloud{};  ///< one level of detail a genus
+  bool operator==(const Generalisation&) const = default;
 };
+
+struct MeasuredClouds;
 
 /// Puffs that a genus needs to be told near by: sections times billboards.
 int fewestPuffs(const shape::Recipe& recipe);
@@ -46,8 +49,10 @@ double enlargementOf(const Generalisation& general, std::span<const field::Layer
 
 /// Enlargement and level of detail such that all clouds of the layers inside the box take about `maxPuffs`:
 /// wider clouds are told by fewer puffs, and by as few as may be before they are wider than the model's
-/// cells. Clouds that the source counts are never enlarged: they stay as many.
+/// cells. Clouds that the source counts are never enlarged: they stay as many. What is measured of drawn clouds
+/// is added to `measured`, and not measured again under the same options.
 Generalisation generalise(const field::Grid& grid, std::span<const field::Layer> layers,
-                          const Options& options, const base::GeoBox& box, double maxPuffs);
+                          const Options& options, const base::GeoBox& box, double maxPuffs,
+                          MeasuredClouds& measured);
 
 }  // namespace cloudgen::pipeline

@@ -170,10 +170,12 @@ MovingSky runTimes(const std::vector<base::UtcTime>& times, const OpenTime& open
   const std::size_t fullest = cloudiest(located);
   const Generalisation general = placeWithinBudget(located[fullest].grid, located[fullest].origin.frame,
                                                    located[fullest].origin.cells, options, located[fullest].table);
+  FootprintBook footprints(options, general);
   std::vector<CloudsOfTime> clouds;
   for (std::size_t k = 0; k < times.size(); ++k) {
     if (k != fullest)
-      placeClouds(located[k].grid, located[k].origin.frame, located[k].origin.cells, options, general, located[k].table);
+      placeClouds(located[k].grid, located[k].origin.frame, located[k].origin.cells, options, general,
+                  footprints, located[k].table);
     clouds.push_back(cloudsOfTime(located[k].grid, located[k].origin.frame, located[k].table));
   }
 

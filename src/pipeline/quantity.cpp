@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
+#include <utility>
 
 #include "pipeline/archetype.hpp"
 #include "pipeline/counted.hpp"
 #include "pipeline/fitting.hpp"
+#include "pipeline/measured_clouds.hpp"
 #include "shape/generate.hpp"
 
 namespace cloudgen::pipeline {
@@ -27,10 +30,43 @@ field::Cloud cloudOf(const FittedCloud& fitted) {
   return cloud;
 }
 
+/// Counts what is drawn; the puffs of an archetype are counted once.
+class PuffCount {
+ public:
+  PuffCount(const Options& options, const Generalisation& general) : options_(options), general_(general) {}
+
+  /// Of all clouds of a table in full.
+  double of(const field::CloudTable& table) {
+    double puffs = 0;
+    for (const field::Cloud& cloud : table.clouds) {
+      const ArchetypeKey key = shapeKeyOf(keyOf(table.layers[cloud.layer], cloud, options_));
+      const auto [found, isNew] = known_.try_emplace(key);
+      if (isNew) found->second = static_cast<double>(shapeOf(key, options_, general_).cloud.puffs.size());
+      puffs += found->second;
+    }
+    return puffs;
+  }
+
+ private:
+  const Options& options_;
+  const Generalisation& general_;
+  std::map<ArchetypeKey, double> known_;
+};
+
+/// What is known of archetypes as long as clouds are made of as many puffs.
+struct KnownArchetypes {
+  KnownArchetypes(const Options& options, const Generalisation& general)
+      : footprints(options, general), puffs(options, general) {}
+
+  FootprintBook footprints;
+  PuffCount puffs;
+};
+
 }  // namespace
 
 void placeClouds(const field::Grid& grid, const base::LocalFrame& frame, std::span<const std::uint32_t> cells,
-                 const Options& options, const Generalisation& general, field::CloudTable& table) {
+                 const Options& options, const Generalisation& general, FootprintBook& footprints,
+                 field::CloudTable& table) {
   std::vector<field::Layer> byCover;
   std::vector<std::uint32_t> numbers;
   for (std::uint32_t i = 0; i < table.layers.size(); ++i) {
@@ -43,7 +79,6 @@ void placeClouds(const field::Grid& grid, const base::LocalFrame& frame, std::sp
       if (frame.box().contains(cloud.longitudeDegrees, cloud.latitudeDegrees)) table.clouds.push_back(cloud);
   }
   const LayersByCell layersByCell(grid, byCover);
-  FootprintBook footprints(options, general);
   for (const FittedCloud& fitted :
        fitClouds({grid, frame, options, general, layersByCell}, cells, byCover, footprints)) {
     field::Cloud cloud = cloudOf(fitted);
@@ -60,15 +95,7 @@ void placeClouds(const field::Grid& grid, const base::LocalFrame& frame, std::sp
 }
 
 double puffsDrawn(const field::CloudTable& table, const Options& options, const Generalisation& general) {
-  std::map<ArchetypeKey, double> known;
-  double puffs = 0;
-  for (const field::Cloud& cloud : table.clouds) {
-    const ArchetypeKey key = shapeKeyOf(keyOf(table.layers[cloud.layer], cloud, options));
-    const auto [found, isNew] = known.try_emplace(key);
-    if (isNew) found->second = static_cast<double>(shapeOf(key, options, general).cloud.puffs.size());
-    puffs += found->second;
-  }
-  return puffs;
+  return PuffCount(options, general).of(table);
 }
 
 Generalisation placeWithinBudget(const field::Grid& grid, const base::LocalFrame& frame,
@@ -77,12 +104,20 @@ Generalisation placeWithinBudget(const field::Grid& grid, const base::LocalFrame
   constexpr int kAttempts = 5;
   constexpr double kTooFew = 0.6, kTooMany = 1.25;
   const auto maxPuffs = static_cast<double>(options.maxPuffs);
-  double budget = maxPuffs;
+  double budget = maxPuffs, share = 0;
+  MeasuredClouds measured;
+  Generalisation general;
+  std::optional<KnownArchetypes> archetypes;
   for (int attempt = 1;; ++attempt) {
-    const Generalisation general = generalise(grid, table.layers, options, frame.box(), budget);
-    table.clouds.clear();
-    placeClouds(grid, frame, cells, options, general, table);
-    const double share = puffsDrawn(table, options, general) / maxPuffs;
+    const Generalisation before =
+        std::exchange(general, generalise(grid, table.layers, options, frame.box(), budget, measured));
+    if (attempt == 1 || before.puffsPerCloud != general.puffsPerCloud) archetypes.emplace(options, general);
+    // Where a budget cannot be met the next one is answered alike.
+    if (attempt == 1 || before != general) {
+      table.clouds.clear();
+      placeClouds(grid, frame, cells, options, general, archetypes->footprints, table);
+      share = archetypes->puffs.of(table) / maxPuffs;
+    }
     const bool asNatural = general.narrowestMeters <= 0 && general.detail >= 1,
                asSimple = general.narrowestMeters >= general.widestMeters && general.detail <= 0;
     if (attempt == kAttempts || table.clouds.empty() ||

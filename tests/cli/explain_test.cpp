@@ -49,12 +49,12 @@ std::set<std::string> idsNamedIn(const std::string& x3d) {
 class Explain : public ::testing::Test {
  protected:
   void build(const Words& more) const {
-    Words words{"build", "-o", scene, "--formats", "x3d", "--max-puffs", "20000"};
+    Words words{"--formats", "x3d", "--max-puffs", "20000"};
     words.insert(words.end(), more.begin(), more.end());
-    const Ran ran = runCloudgen(words);
+    const Ran ran = buildOnce(words, scene);
     ASSERT_EQ(ran.exitCode, 0) << ran.err;
   }
-  void buildSmallSky() const { build({folder.write("small.sky.json", smallSky())}); }
+  void buildSmallSky() const { build({smallSkyFile()}); }
   std::string firstId() const { return rowsOf(scene + "/clouds.csv").at(0).at("id"); }
   json explained(const std::string& id) const {
     const Ran ran = runCloudgen({"explain", scene, id, "--json"});
@@ -142,8 +142,7 @@ TEST_F(Explain, EveryDerivedTypeFollowsFromItsValues) {
 }
 
 TEST_F(Explain, ATypingIsNamedAsTheReason) {
-  const std::string sky = folder.write("small.sky.json", smallSky());
-  build({sky, "--typing", sky});
+  build({smallSkyFile(), "--typing", smallSkyFile()});
   EXPECT_TRUE(explained(firstId()).at("rule").at("id").get<std::string>().starts_with("typing"));
 }
 

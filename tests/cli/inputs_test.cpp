@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstdio>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -25,6 +26,7 @@ struct Input {
   const char* gridCrs;                  ///< part of the projection
   std::vector<const char*> derived;     ///< words that the report must say about what was derived
   std::vector<const char*> warningIds;  ///< traps of this file
+  const char* box = "";                 ///< of the files that hold most, a part is built
 };
 
 const Input kInputs[] = {
@@ -34,8 +36,8 @@ const Input kInputs[] = {
     {"gfs_icmr_17x17x3x7.nc", "levels", 3, 7, "longlat", {}, {}},
     {"eta_g211_lambert_20041208_f24.grib2", "levels", 19, 1, "lcc", {"RH"}, {"negative_cloud_height"}},
     {"ruc13_g212_2005080700_f00.grb", "levels", 39, 1, "lcc", {"RH", "hypsometric"}, {}},
-    {"wafs_thinned_reduced_ll_20070110.grib2", "levels", 11, 1, "longlat", {"RH"}, {}},
-    {"ifs_oper_20240101_10msgs.grib2", "levels", 3, 1, "longlat", {"RH"}, {}},
+    {"wafs_thinned_reduced_ll_20070110.grib2", "levels", 11, 1, "longlat", {"RH"}, {}, "-100,0,-40,50"},
+    {"ifs_oper_20240101_10msgs.grib2", "levels", 3, 1, "longlat", {"RH"}, {}, "-10,40,10,55"},
     {"icon-eu_CLCT_MOD_20220427_f047.grib2", "layers", 0, 1, "longlat", {}, {}},
     {"cfs_flux_regular_gg_20060331.grb", "layers", 0, 1, "longlat", {}, {"averaged_cover"}},
     {"icon_ny-alesund_column_20210104.nc", "levels", 90, 25, "", {}, {}},
@@ -72,43 +74,46 @@ void printRow(const Input& input, const json& inspected, const json& report) {
               joined(idsOf(inspected)).c_str());
 }
 
-TEST(Inputs, EveryRealFileIsInspectedAndBuilt) {
-  if (!sharedFile("README.md")) GTEST_SKIP() << "no ../shared/data";
-  std::puts(
-      "| file | format, model | levels | times | grid | found | clouds | warnings "
-      "|\n|---|---|---|---|---|---|---|---|");
-  for (const Input& input : kInputs) {
-    SCOPED_TRACE(input.file);
-    const auto file = sharedFile(input.file);
-    ASSERT_TRUE(file) << "is not in ../shared/data";
-    const Ran inspection = runCloudgen({"inspect", *file, "--json"});
-    ASSERT_EQ(inspection.exitCode, 0) << inspection.err;
-    const json inspected = json::parse(inspection.out);
-    expectFitsSchema(inspected, "inspect.schema.json");
-    EXPECT_EQ(inspected.at("tells"), input.tells);
-    EXPECT_EQ(inspected.at("levels").at("values").size(), input.levels);
-    if (input.times > 0) {
-      EXPECT_EQ(inspected.at("valid_times").size(), input.times);
-    }
-    EXPECT_NE(inspected.at("grid").at("crs").get<std::string>().find(input.gridCrs), std::string::npos);
-    const auto ids = idsOf(inspected);
-    for (const char* id : input.warningIds) EXPECT_GE(std::count(ids.begin(), ids.end(), id), 1) << id;
+class EachOfInputs : public ::testing::TestWithParam<Input> {};
 
-    Scratch folder;
-    const std::string out = folder.path() / "scene";
-    const Ran built =
-        runCloudgen({"build", *file, "-o", out, "--json", "--max-puffs", "2000", "--formats", "splats"});
-    ASSERT_EQ(built.exitCode, 0) << built.err;
-    const json report = json::parse(built.out);
-    expectFitsSchema(report, "report.schema.json");
-    EXPECT_GT(report.at("counts").at("layers").get<int>(), 0);
-    EXPECT_GT(report.at("counts").at("clouds").get<int>(), 0);
-    const std::string derived = report.at("derived").dump();
-    for (const char* word : input.derived)
-      EXPECT_NE(derived.find(word), std::string::npos) << word << " in " << derived;
-    printRow(input, inspected, report);
+TEST_P(EachOfInputs, IsInspectedAndBuilt) {
+  if (!sharedFile("README.md")) GTEST_SKIP() << "no ../shared/data";
+  const Input& input = GetParam();
+  const auto file = sharedFile(input.file);
+  ASSERT_TRUE(file) << "is not in ../shared/data";
+  const Ran inspection = runCloudgen({"inspect", *file, "--json"});
+  ASSERT_EQ(inspection.exitCode, 0) << inspection.err;
+  const json inspected = json::parse(inspection.out);
+  expectFitsSchema(inspected, "inspect.schema.json");
+  EXPECT_EQ(inspected.at("tells"), input.tells);
+  EXPECT_EQ(inspected.at("levels").at("values").size(), input.levels);
+  if (input.times > 0) {
+    EXPECT_EQ(inspected.at("valid_times").size(), input.times);
   }
+  EXPECT_NE(inspected.at("grid").at("crs").get<std::string>().find(input.gridCrs), std::string::npos);
+  const auto ids = idsOf(inspected);
+  for (const char* id : input.warningIds) EXPECT_GE(std::count(ids.begin(), ids.end(), id), 1) << id;
+
+  Scratch folder;
+  const std::string out = folder.path() / "scene";
+  std::vector<std::string> words{"build", *file, "-o", out, "--json", "--max-puffs", "2000", "--formats", "splats"};
+  if (*input.box) words.insert(words.end(), {"--bbox", input.box});
+  const Ran built = runCloudgen(words);
+  ASSERT_EQ(built.exitCode, 0) << built.err;
+  const json report = json::parse(built.out);
+  expectFitsSchema(report, "report.schema.json");
+  EXPECT_GT(report.at("counts").at("layers").get<int>(), 0);
+  EXPECT_GT(report.at("counts").at("clouds").get<int>(), 0);
+  const std::string derived = report.at("derived").dump();
+  for (const char* word : input.derived)
+    EXPECT_NE(derived.find(word), std::string::npos) << word << " in " << derived;
+  printRow(input, inspected, report);
 }
+INSTANTIATE_TEST_SUITE_P(All, EachOfInputs, ::testing::ValuesIn(kInputs), [](const auto& input) {
+  std::string name = input.param.file;
+  std::replace_if(name.begin(), name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
+  return name;
+});
 
 /// Files of a time series in one run: each hour is there.
 TEST(Inputs, AnHourAFileIsOneInput) {
@@ -139,13 +144,13 @@ TEST(Inputs, TypingDecidesTheGenera) {
   if (!gfs) GTEST_SKIP() << "no GFS forecast";
   Scratch folder;
   const Ran ran =
-      runCloudgen({"build", *gfs, "--typing", example("typing.sky.json"), "--bbox", "-95,28,-65,47", "-o",
+      runCloudgen({"build", *gfs, "--typing", example("typing.sky.json"), "--bbox", "-95,28,-80,40", "-o",
                    folder.path() / "scene", "--json", "--formats", "splats", "--max-puffs", "20000"});
   ASSERT_EQ(ran.exitCode, 0) << ran.err;
   const json report = json::parse(ran.out);
   expectFitsSchema(report, "report.schema.json");
   const json& typing = report.at("typing");
-  EXPECT_GT(typing.at("typed_columns").get<int>(), 2000);
+  EXPECT_GT(typing.at("typed_columns").get<int>(), 500);
   EXPECT_GE(typing.at("agreement").get<double>(), 0.99);
   EXPECT_NEAR(typing.at("cover_kept").get<double>(), 1, 0.02);
   for (const auto& [genus, count] : report.at("genera").items())

@@ -21,9 +21,9 @@ class Moving : public ::testing::Test {
     if (!std::filesystem::exists(forecast)) GTEST_SKIP() << "no " << forecast;
   }
   Ran build(const std::vector<std::string>& more) const {
-    std::vector<std::string> words{"build", forecast, "-o", out, "--max-puffs", "4000", "--formats", "pack"};
+    std::vector<std::string> words{forecast, "--max-puffs", "4000", "--formats", "pack"};
     words.insert(words.end(), more.begin(), more.end());
-    return runCloudgen(words);
+    return buildOnce(words, out);
   }
 
   const std::string forecast = std::string(CLOUDGEN_SHARED_DIR) + "/data/era5_cirrus_16x8x4x13.nc";

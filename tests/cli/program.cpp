@@ -96,6 +96,30 @@ std::string smallSky() {
              "layers": [{"genus": "Cu", "cover": 0.2, "base_m": 1000, "top_m": 1800, "optical_depth": 20}]})";
 }
 
+std::string smallSkyFile() {
+  static const Scratch folder;
+  static const std::string file = folder.write("small.sky.json", smallSky());
+  return file;
+}
+
+Ran buildOnce(const std::vector<std::string>& words, const fs::path& scene) {
+  struct Built {
+    Scratch folder;
+    Ran ran;
+  };
+  static std::map<std::vector<std::string>, Built> known;
+  const auto [found, isNew] = known.try_emplace(words);
+  Built& built = found->second;
+  const fs::path kept = built.folder.path() / "scene";
+  if (isNew) {
+    std::vector<std::string> all{"build", "-o", kept};
+    all.insert(all.end(), words.begin(), words.end());
+    built.ran = runCloudgen(all);
+  }
+  if (built.ran.exitCode == 0) fs::copy(kept, scene, fs::copy_options::recursive);
+  return built.ran;
+}
+
 std::vector<std::string> namesIn(const fs::path& folder) {
   std::vector<std::string> names;
   for (const auto& entry : fs::recursive_directory_iterator(folder))

@@ -29,11 +29,9 @@ class Verify : public ::testing::Test {
   /// Each test has a copy of one build, which it may change.
   void SetUp() override {
     static const Scratch kept;
-    static const std::string original = kept.path() / "scene";
-    static const Ran ran =
-        runCloudgen({"build", sky, "-o", original, "--formats", "x3d,splats,glb", "--max-puffs", "20000"});
+    static const std::string first = kept.write("two.sky.json", kSky);
+    const Ran ran = buildOnce({first, "--formats", "x3d,splats,glb", "--max-puffs", "20000"}, scene);
     ASSERT_EQ(ran.exitCode, 0) << ran.err;
-    std::filesystem::copy(original, scene, std::filesystem::copy_options::recursive);
   }
   /// The result for one of the formats, checked against its schema and the exit code.
   json verified(const std::string& format) const {

@@ -24,7 +24,8 @@ struct MadeTable {
     const base::GeoBox box = options.box.value_or(field::extent(source.grid()));
     table.layers = layersOf(source);
     const std::vector<std::uint32_t> cells = field::cellsTouching(source.grid(), box);
-    pipeline::placeClouds(source.grid(), base::LocalFrame(box), cells, options, general, table);
+    pipeline::FootprintBook footprints(options, general);
+    pipeline::placeClouds(source.grid(), base::LocalFrame(box), cells, options, general, footprints, table);
   }
 
   static std::vector<field::Layer> layersOf(const MadeSource& source) {

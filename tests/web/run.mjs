@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Opens what `cloudgen build` wrote in the viewers that people use.
-//   node tests/web/run.mjs --scenes DIR... [--page] [--only WORDS]
+//   node tests/web/run.mjs --scenes DIR... [--spread] [--page] [--only WORDS]
 // A folder NAME.still beside a sky that moves is one of its times alone: its picture is compared.
-// --page: only index.html; --only: only checks whose name matches this regular expression. Pictures are kept in out/.
+// --spread: not every scene in every viewer: of four scenes each viewer has the first and third or the second and fourth, and the page
+// is opened in one size of two. --page: only index.html; --only: only checks whose name matches this regular expression.
+// Pictures are kept in out/.
 import {existsSync} from 'node:fs';
 import {mkdir, readFile, readdir, writeFile} from 'node:fs/promises';
 import {basename, join, resolve} from 'node:path';
@@ -23,19 +25,23 @@ const here = fileURLToPath(new URL('.', import.meta.url));
 const repository = resolve(here, '../..');
 
 function parsed(words) {
-  const options = {scenes: [], page: false, only: /./};
+  const options = {scenes: [], spread: false, page: false, only: /./};
   for (let i = 0; i < words.length; ++i) {
     if (words[i] === '--scenes') while (words[i + 1] && !words[i + 1].startsWith('--')) options.scenes.push(resolve(words[++i]));
+    else if (words[i] === '--spread') options.spread = true;
     else if (words[i] === '--page') options.page = true;
     else if (words[i] === '--only') options.only = new RegExp(words[++i] ?? '.');
     else throw new Error(`unknown option ${words[i]}`);
   }
-  if (!options.scenes.length) throw new Error('usage: node tests/web/run.mjs --scenes DIR... [--page] [--only WORDS]');
+  if (!options.scenes.length) throw new Error('usage: node tests/web/run.mjs --scenes DIR... [--spread] [--page] [--only WORDS]');
   for (const folder of options.scenes) if (!existsSync(folder)) throw new Error(`${folder}: no such folder`);
   return options;
 }
 
-async function checkScene(runner, folder, onlyPage) {
+const SIZES = [{width: 1280, height: 720}, {width: 360, height: 740}];
+
+/** `turn`: null, or the number of this scene, where viewers and sizes take turns. */
+async function checkScene(runner, folder, onlyPage, turn) {
   const scene = basename(folder);
   const out = join(here, 'out', scene);
   const has = (file) => existsSync(join(folder, file));
@@ -44,10 +50,10 @@ async function checkScene(runner, folder, onlyPage) {
   if (!browser) console.log(`skipped ${scene}: everything in a browser, there is no Chromium (set CHROMIUM to its path)`);
 
   if (has('index.html') && browser)
-    for (const size of [{width: 1280, height: 720}, {width: 360, height: 740}])
+    for (const size of turn === null ? SIZES : [SIZES[turn % SIZES.length]])
       runner.addAlone(`${scene}: index.html works at ${size.width}x${size.height}`, 300, () => pageWorks(folder, size, picture(`page_${size.width}`)));
   if (has('index.html') && browser) {
-    runner.addAlone(`${scene}: index.html reads a pack from beside it`, 120, () => folderIsStreamed(folder));
+    if (!turn) runner.addAlone(`${scene}: index.html reads a pack from beside it`, 120, () => folderIsStreamed(folder));
     if (JSON.parse(await readFile(join(folder, 'report.json'), 'utf8')).valid_times.length > 1)
       runner.addAlone(`${scene}: index.html plays the sky`, 300, () => movingPageWorks(folder, `${folder}.still`, picture('page_time')));
   }
@@ -63,8 +69,11 @@ async function checkScene(runner, folder, onlyPage) {
   const server = await serve(folder, texts);
   runner.addAfterwards(() => server.close());
   const at = (page, file) => `${server.address}/pages/${page}.html?scene=${file}`;
+  // The splats beside a tileset are those of a scene that has no tiles.
+  let viewers = 0;
+  const isItsTurn = () => turn === null || (!has('tileset.json') && viewers++ % 2 === turn % 2);
   const draws = (viewer, page, file, settle) => {
-    if (has(file) && browser)
+    if (isItsTurn() && has(file) && browser)
       runner.add(`${scene}: ${viewer} draws ${file}`, 300, () =>
         drawsByRemoval(at(page, `/scene/${file}`), picture(`${page}_${file}`), page === 'xite' ? CLOUD_NODES : [], settle),
       );
@@ -72,13 +81,14 @@ async function checkScene(runner, folder, onlyPage) {
   draws('X_ITE', 'xite', 'scene.x3d', 3000);
   draws('X_ITE', 'xite', 'scene.wrl', 3000);
   if (has('scene.x3d')) {
-    if (browser)
+    if (isItsTurn() && browser)
       runner.add(`${scene}: X3DOM draws scene.x3d`, 400, () =>
         drawsByComparison(at('x3dom', '/scene/scene.x3d'), at('x3dom', '/empty.x3d'), picture('x3dom_scene.x3d')),
       );
-    runner.add(`${scene}: view3dscene draws scene.x3d`, 200, () =>
-      view3dsceneDraws(join(folder, 'scene.x3d'), emptyFile, picture('view3dscene_scene.x3d')),
-    );
+    if (isItsTurn())
+      runner.add(`${scene}: view3dscene draws scene.x3d`, 200, () =>
+        view3dsceneDraws(join(folder, 'scene.x3d'), emptyFile, picture('view3dscene_scene.x3d')),
+      );
   }
   draws('three.js', 'three', 'scene.splats.glb');
   draws('Babylon.js', 'babylon', 'scene.splats.glb', 3000);
@@ -117,7 +127,7 @@ async function checkRecipes(runner) {
 try {
   const options = parsed(process.argv.slice(2));
   const runner = new Runner(options.only);
-  for (const folder of options.scenes) await checkScene(runner, folder, options.page);
+  for (const [number, folder] of options.scenes.entries()) await checkScene(runner, folder, options.page, options.spread ? number : null);
   if (!options.page) await checkRecipes(runner);
   process.exitCode = await runner.finish();
 } catch (error) {

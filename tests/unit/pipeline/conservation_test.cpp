@@ -76,17 +76,20 @@ test::MadeSource uniformSky(const field::StatedLayer& layer) {
   return source;
 }
 
-TEST(Conservation, CoverAndOpticalDepthOfAllGenera) {
-  for (const base::Genus genus : base::allGenera())
-    for (const float cover : {0.15f, 0.6f, 1.0f}) {
-      const Difference d = drawn(uniformSky(layerOf(genus, cover)), 40'000, 1);
-      // Towers stand apart: a sky full of them has gaps.
-      const double tolerated = genus == base::Genus::Cumulonimbus && cover > 0.8f ? 0.1 : 0.025;
-      EXPECT_LT(std::abs(d.coverBias), tolerated) << base::name(genus) << ' ' << cover << ": " << d;
-      EXPECT_LT(d.coverRmse, 0.03 + tolerated) << base::name(genus) << ' ' << cover << ": " << d;
-      EXPECT_LT(std::abs(d.opticalDepthBias), 0.04) << base::name(genus) << ' ' << cover << ": " << d;
-    }
+class OfAllGenera : public testing::TestWithParam<float> {};
+
+TEST_P(OfAllGenera, CoverAndOpticalDepth) {
+  const float cover = GetParam();
+  for (const base::Genus genus : base::allGenera()) {
+    const Difference d = drawn(uniformSky(layerOf(genus, cover)), 40'000, 1);
+    // Towers stand apart: a sky full of them has gaps.
+    const double tolerated = genus == base::Genus::Cumulonimbus && cover > 0.8f ? 0.1 : 0.025;
+    EXPECT_LT(std::abs(d.coverBias), tolerated) << base::name(genus) << ": " << d;
+    EXPECT_LT(d.coverRmse, 0.03 + tolerated) << base::name(genus) << ": " << d;
+    EXPECT_LT(std::abs(d.opticalDepthBias), 0.04) << base::name(genus) << ": " << d;
+  }
 }
+INSTANTIATE_TEST_SUITE_P(Conservation, OfAllGenera, testing::Values(0.15f, 0.6f, 1.0f));
 
 TEST(Conservation, ThinLayersAreSeenAsWide) {
   for (const base::Genus genus : {base::Genus::Cirrus, base::Genus::Cirrostratus, base::Genus::Stratus})
@@ -99,8 +102,8 @@ TEST(Conservation, ThinLayersAreSeenAsWide) {
 }
 
 TEST(Conservation, WhateverTheSeedAndTheBudget) {
-  for (const std::uint64_t budget : {10'000u, 200'000u})
-    for (const std::uint64_t seed : {1u, 2u, 3u, 4u, 5u})
+  for (const std::uint64_t budget : {10'000u, 100'000u})
+    for (const std::uint64_t seed : {1u, 2u, 3u})
       for (const base::Genus genus : {base::Genus::Stratocumulus, base::Genus::Cumulus}) {
         const Difference d = drawn(uniformSky(layerOf(genus, 0.4f)), budget, seed);
         EXPECT_LT(std::abs(d.coverBias), 0.01) << base::name(genus) << ' ' << budget << ": " << d;
@@ -152,14 +155,14 @@ TEST(Conservation, CellByCell) {
   EXPECT_LT(d.coverRmse, 0.05) << d;
 }
 
-// The real forecast of the examples, as it is drawn by default, before it is written.
+// A part of the real forecast of the examples, before it is written.
 TEST(Conservation, OfARealForecast) {
   const std::filesystem::path file =
       std::filesystem::path(CLOUDGEN_SHARED_DIR) / "data" / "gfs_2p5_20110110_f120.grib2";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "../shared is not there";
   const auto source = input::open({file});
-  Options options = test::usualOptions(200'000);
-  options.box = base::GeoBox{-100, 25, -60, 50};
+  Options options = test::usualOptions(80'000);
+  options.box = base::GeoBox{-100, 30, -80, 45};
   const Outcome outcome = run(*source, options, {});
   Wanted wanted;
   for (const field::Layer& layer :
@@ -172,7 +175,7 @@ TEST(Conservation, OfARealForecast) {
   EXPECT_LT(std::abs(d.coverBias), 0.01) << d;
   EXPECT_LT(d.coverRmse, 0.05) << d;
   EXPECT_LT(std::abs(d.opticalDepthBias), 0.02) << d;
-  EXPECT_LT(static_cast<double>(scene::drawnPuffs(outcome.scene)), 1.5 * 200'000);
+  EXPECT_LT(static_cast<double>(scene::drawnPuffs(outcome.scene)), 1.5 * 80'000);
 }
 
 /// Power of the drawn cover along the rows at so many waves across.
