@@ -114,12 +114,10 @@ Coverings::Coverings(const scene::Scene& scene, const std::vector<image::SpriteA
                      const std::vector<bool>& full)
     : full_(scene.lit.size(), 0), simple_(scene.lit.size(), 0) {
   std::vector<unsigned char> wanted(scene.lit.size(), 0);
-  for (std::size_t i = 0; i < scene.instances.size(); ++i)
-    wanted[scene.instances[i].lit] |= full[i] ? 3 : 2;
+  for (std::size_t i = 0; i < scene.instances.size(); ++i) wanted[scene.instances[i].lit] |= full[i] ? 3 : 2;
   base::parallelFor(scene.lit.size(), [&](std::size_t i) {
     const auto lit = static_cast<std::uint32_t>(i);
-    const image::SpriteAtlas& atlas =
-        image::atlasOf(atlases, scene.archetypes[scene.lit[i].archetype].genus);
+    const image::SpriteAtlas& atlas = image::atlasOf(atlases, scene.archetypes[scene.lit[i].archetype].genus);
     if (wanted[i] & 1) full_[i] = coveringOf(scene, lit, CloudDetail::Full, atlas);
     if (wanted[i] & 2) simple_[i] = coveringOf(scene, lit, CloudDetail::Simple, atlas);
   });

@@ -18,13 +18,13 @@
 namespace cloudgen::writer {
 namespace {
 
-constexpr double kLiveClouds = 120;  ///< clouds that are drawn one by one around the viewer, about
-constexpr double kFullClouds = 30;   ///< clouds that are drawn in full around the viewer, about
+constexpr double kLiveClouds = 120;       ///< clouds that are drawn one by one around the viewer, about
+constexpr double kFullClouds = 30;        ///< clouds that are drawn in full around the viewer, about
 constexpr std::size_t kFarPuffs = 24000;  ///< puffs in the far shapes of all tiles together, about
 /// How much further than it is drawn a tile's file is loaded: it is there when the viewer comes near.
 /// But no further: X_ITE 15 waits for each texture of a file until all frames that were drawn are done
-/// (gl.getParameter and gl.readPixels in ImageTexture), a fifth of a second each for sheets, four seconds each
-/// for cards over all of a region. Parsing, nodes and sensors take a hundredth of that.
+/// (gl.getParameter and gl.readPixels in ImageTexture), a fifth of a second each for sheets, four seconds
+/// each for cards over all of a region. Parsing, nodes and sensors take a hundredth of that.
 constexpr float kLoadAhead = 1.15f;
 
 /// view3dscene 4.2 refuses the field `level` of VRML97's LOD, and the standard any other name for it: VRML97
@@ -158,7 +158,7 @@ class Tiles {
     File main{nodes, shapes, CloudNodes(nodes, shapes, scene_, coverings_), sheets};
     for (std::size_t i = 0; i < trees_.size(); ++i) {
       if (isAtHand_[i])
-        atHand(main, trees_[i]);
+        levels(main, "Tile_" + trees_[i].name, trees_[i]);
       else
         away(main, trees_[i]);
     }
@@ -205,16 +205,7 @@ class Tiles {
 
   /// A square as LODs of those within it, or as its clouds.
   void within(File& file, const TileNode& tile) const {
-    for (const TileNode& part : tile.children) {
-      openLod(file.nodes, "Part_" + part.name, part, rangeOf(part));
-      file.nodes.open("Group");
-      within(file, part);
-      file.nodes.close();
-      file.nodes.open("Group");
-      afar(file, part);
-      file.nodes.close();
-      file.nodes.close();
-    }
+    for (const TileNode& part : tile.children) levels(file, "Part_" + part.name, part);
     if (!tile.children.empty()) return;
     for (const std::uint32_t i : tile.instances) {
       if (full_[i])
@@ -239,8 +230,9 @@ class Tiles {
       writeCards(file.shapes, scene_, tile.instances, isParted_, CardRange::Far);
   }
 
-  void atHand(File& file, const TileNode& tile) const {
-    openLod(file.nodes, "Tile_" + tile.name, tile, rangeOf(tile));
+  /// A square with its clouds and as it is from afar, both in this file.
+  void levels(File& file, const std::string& def, const TileNode& tile) const {
+    openLod(file.nodes, def, tile, rangeOf(tile));
     file.nodes.open("Group");
     within(file, tile);
     file.nodes.close();
@@ -250,9 +242,9 @@ class Tiles {
     file.nodes.close();
   }
 
-  /// A tile as it is from afar until the viewer is near and its file is there. X3DOM 1.8 fetches any Inline at
-  /// once, whatever `load` says, and then waits for it forever; it knows no LoadSensor and leaves out what is
-  /// defined within it, and so stays with the far level.
+  /// A tile as it is from afar until the viewer is near and its file is there. X3DOM 1.8 fetches any Inline
+  /// at once, whatever `load` says, and then waits for it forever; it knows no LoadSensor and leaves out what
+  /// is defined within it, and so stays with the far level.
   void away(File& file, const TileNode& tile) const {
     NodeWriter& nodes = file.nodes;
     const float range = rangeOf(tile);
@@ -294,9 +286,10 @@ class Tiles {
   void file(const TileNode& tile, const std::filesystem::path& folder) const {
     const auto nodes = nodeWriter(encoding_, folder / fileOf(tile));
     QuadShapes shapes(*nodes, atlases_);
-    nodes->start({{"title", fmt::format("Tile {} of the clouds of {}", tile.name, base::isoText(scene_.validTime))},
-                  {"creator", "cloudgen"},
-                  {"generator", "cloudgen"}});
+    nodes->start(
+        {{"title", fmt::format("Tile {} of the clouds of {}", tile.name, base::isoText(scene_.validTime))},
+         {"creator", "cloudgen"},
+         {"generator", "cloudgen"}});
     std::vector<const TileNode*> squares;
     addParts(tile, squares);
     const SheetSet sheets(scene_, squares, fmt::format("sheets_{}.png", tile.name));

@@ -45,7 +45,8 @@ std::vector<Painted> paintedFrom(const scene::Scene& scene, std::span<const std:
                      kReach * glm::vec2(std::sqrt(plan.xx), std::sqrt(plan.zz))});
     }
   }
-  std::stable_sort(out.begin(), out.end(), [](const Painted& a, const Painted& b) { return a.height < b.height; });
+  std::stable_sort(out.begin(), out.end(),
+                   [](const Painted& a, const Painted& b) { return a.height < b.height; });
   return out;
 }
 
@@ -54,7 +55,8 @@ unsigned char byteOf(float value) {
 }
 
 /// Colours have alpha multiplied into them; the lower are painted first.
-image::ByteImage pictureOf(std::span<const Painted> puffs, const glm::vec2& lower, const glm::vec2& step, int pixels) {
+image::ByteImage pictureOf(std::span<const Painted> puffs, const glm::vec2& lower, const glm::vec2& step,
+                           int pixels) {
   const auto side = static_cast<std::size_t>(pixels);
   std::vector<glm::vec4> canvas(side * side, glm::vec4(0));
   glm::vec4 sum(0);
@@ -152,16 +154,18 @@ SheetAtlas::SheetAtlas(std::span<const Sheet> sheets, int pixels) {
   texture_.bytes.resize(4 * across_ * down * side * side, 0);
   for (std::size_t i = 0; i < sheets.size(); ++i)
     for (std::size_t y = 0; y < side; ++y)
-      std::copy_n(sheets[i].picture.bytes.begin() + static_cast<std::ptrdiff_t>(4 * y * side), 4 * side,
-                  texture_.bytes.begin() +
-                      static_cast<std::ptrdiff_t>(4 * (((i / across_) * side + y) * across_ + i % across_) * side));
+      std::copy_n(
+          sheets[i].picture.bytes.begin() + static_cast<std::ptrdiff_t>(4 * y * side), 4 * side,
+          texture_.bytes.begin() +
+              static_cast<std::ptrdiff_t>(4 * (((i / across_) * side + y) * across_ + i % across_) * side));
 }
 
 QuadMesh SheetAtlas::meshOf(const Sheet& sheet, std::size_t index) const {
   QuadMesh mesh;
   const glm::vec2 step = (sheet.upper - sheet.lower) / static_cast<float>(sheet.picture.width);
   const glm::vec2 texture(texture_.width, texture_.height);
-  const glm::vec2 corner = static_cast<float>(sheet.picture.width) * glm::vec2(index % across_, index / across_);
+  const glm::vec2 corner =
+      static_cast<float>(sheet.picture.width) * glm::vec2(index % across_, index / across_);
   for (const glm::ivec4& patch : sheet.patches) {
     const glm::vec2 low(patch.x, patch.y), high(patch.z, patch.w);
     const glm::vec2 middle = sheet.lower + 0.5f * step * (low + high), half = 0.5f * step * (high - low);
@@ -169,7 +173,8 @@ QuadMesh SheetAtlas::meshOf(const Sheet& sheet, std::size_t index) const {
     const auto quad = static_cast<std::uint32_t>(mesh.quads.size());
     mesh.faces.insert(mesh.faces.end(), {2 * quad, 2 * quad + 1});  // the front looks up
     mesh.quads.push_back({glm::vec3(middle.x, sheet.height, middle.y), glm::vec3(half.x, 0, 0),
-                          glm::vec3(0, 0, -half.y), glm::vec4(from.x, 1 - to.y, to.x, 1 - from.y), glm::vec4(1), 0});
+                          glm::vec3(0, 0, -half.y), glm::vec4(from.x, 1 - to.y, to.x, 1 - from.y),
+                          glm::vec4(1), 0});
   }
   return mesh;
 }

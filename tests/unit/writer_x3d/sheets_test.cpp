@@ -72,8 +72,10 @@ TEST(Sheets, OfAnAtlasLieWhereTheirCloudsDo) {
     EXPECT_GT(glm::cross(quad.right, quad.up).y, 0);  // the front looks up
     for (const float sign : {-1.0f, 1.0f}) {
       const glm::vec3 corner = quad.center + sign * (quad.right + quad.up);
-      const glm::vec2 share = (glm::vec2(corner.x, corner.z) - sheets[4].lower) / (sheets[4].upper - sheets[4].lower);
-      const float u = sign < 0 ? quad.textureBox.x : quad.textureBox.z, v = sign < 0 ? quad.textureBox.y : quad.textureBox.w;
+      const glm::vec2 share =
+          (glm::vec2(corner.x, corner.z) - sheets[4].lower) / (sheets[4].upper - sheets[4].lower);
+      const float u = sign < 0 ? quad.textureBox.x : quad.textureBox.z,
+                  v = sign < 0 ? quad.textureBox.y : quad.textureBox.w;
       // The fifth lies in the middle of the second row.
       EXPECT_NEAR(u, (1 + share.x) / 3, 1e-4);
       EXPECT_NEAR(1 - v, (1 + share.y) / 2, 1e-4);
