@@ -103,8 +103,7 @@ class Reader {
   void start(std::string_view name, Attributes attributes) {
     Element element{std::string(name), std::string(value(attributes, "DEF")), kNone};
     const std::string use(value(attributes, "USE"));
-    const bool isWatched = !open_.empty() && open_.back().name == "LoadSensor";  // and drawn elsewhere
-    if (const auto kind = isWatched ? std::nullopt : kindOf(name, attributes)) {
+    if (const auto kind = kindOf(name, attributes)) {
       element.node = use.empty() ? addNode(*kind, name, attributes) : find(use);
       if (!use.empty()) element.name.clear();
       if (name == "Scene" && scene_ == kNone) scene_ = element.node;
@@ -142,6 +141,8 @@ class Reader {
     if (element.name == "Shape") closeShape(nodes_[element.node]);
     // A name is known once its node is closed: no node can hold itself.
     if (!element.name.empty() && !element.def.empty()) named_[element.def] = element.node;
+    // What is watched is drawn elsewhere, by its name.
+    if (!open_.empty() && open_.back().name == "LoadSensor") return;
     for (auto parent = open_.rbegin(); parent != open_.rend(); ++parent) {
       if (parent->node == kNone) continue;
       adopt(parent->node, element.node);

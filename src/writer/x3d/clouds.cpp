@@ -1,413 +1,353 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "writer/x3d/clouds.hpp"
 
+#include <algorithm>
 #include <array>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/gtc/quaternion.hpp>
 #include <numbers>
 #include <numeric>
 
 #include "base/text.hpp"
-#include "light/shade.hpp"
-#include "shape/heights.hpp"
-#include "writer/x3d/clusters.hpp"
-#include "writer/x3d/plan_of_quads.hpp"
+#include "base/thread.hpp"
+#include "writer/x3d/cards.hpp"
+#include "writer/x3d/cloud_nodes.hpp"
+#include "writer/x3d/sheets.hpp"
+#include "writer/x3d/tile_tree.hpp"
 
 namespace cloudgen::writer {
 namespace {
 
-constexpr std::size_t kMostClusters = 24;  ///< parts of a cloud seen from near
-constexpr float kNearSizes = 6;      ///< a cloud is drawn in full up to this many times its own size away
-constexpr double kLiveClouds = 120;  ///< clouds that are drawn one by one around the viewer, about
-constexpr double kFullClouds = 30;   ///< clouds that are drawn in full around the viewer, about
+constexpr double kLiveClouds = 120;       ///< clouds that are drawn one by one around the viewer, about
+constexpr double kFullClouds = 30;        ///< clouds that are drawn in full around the viewer, about
 constexpr std::size_t kFarPuffs = 24000;  ///< puffs in the far shapes of all tiles together, about
+/// How much further than it is drawn a tile's file is loaded: it is there when the viewer comes near.
+/// But no further: X_ITE 15 waits for each texture of a file until all frames that were drawn are done
+/// (gl.getParameter and gl.readPixels in ImageTexture), a fifth of a second each for sheets, four seconds
+/// each for cards over all of a region. Parsing, nodes and sensors take a hundredth of that.
+constexpr float kLoadAhead = 1.15f;
 
 /// view3dscene 4.2 refuses the field `level` of VRML97's LOD, and the standard any other name for it: VRML97
 /// has no LOD here but this many clouds in full, and up to this many with their far level.
 constexpr std::size_t kVrml97Full = 60, kVrml97Simple = 1000;
 
-class CloudWalk {
+const scene::Archetype& archetypeOf(const scene::Scene& scene, std::uint32_t instance) {
+  return scene.archetypes[scene.lit[scene.instances[instance].lit].archetype];
+}
+
+std::vector<std::uint32_t> widestFirst(const scene::Scene& scene) {
+  std::vector<std::uint32_t> order(scene.instances.size());
+  std::iota(order.begin(), order.end(), 0u);
+  const auto width = [&](std::uint32_t i) {
+    return scene.instances[i].scale * archetypeOf(scene, i).widthMeters;
+  };
+  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return width(a) > width(b); });
+  return order;
+}
+
+/// As nodes the widest clouds are in full, up to kPuffsInFull.
+std::vector<bool> fullOf(const scene::Scene& scene) {
+  std::vector<bool> full(scene.instances.size());
+  std::size_t puffs = 0;
+  for (const std::uint32_t i : widestFirst(scene))
+    full[i] = (puffs += archetypeOf(scene, i).puffs.size()) <= kPuffsInFull;
+  return full;
+}
+
+/// As cards the widest clouds are a handful of puffs, the others one: kFarPuffs together.
+std::vector<bool> partedOf(const scene::Scene& scene) {
+  std::vector<bool> isParted(scene.instances.size(), false);
+  std::size_t puffs = scene.instances.size();
+  for (const std::uint32_t i : widestFirst(scene)) {
+    const std::size_t parts = archetypeOf(scene, i).farPuffs.size();
+    if (parts == 0) continue;
+    puffs += parts - 1;
+    if (puffs > kFarPuffs) break;
+    isParted[i] = true;
+  }
+  return isParted;
+}
+
+/// Clouds of a wide square are flat on it if it is so many times as wide as they reach up; then it is a sheet
+/// from so many times its side away on.
+constexpr float kLeastFlatSide = 50000, kFlatness = 10, kFlatRange = 0.75f;
+constexpr int kSheetPixels = 256;  ///< of at most kFineSheets, else half
+constexpr std::size_t kFineSheets = 64;
+
+bool isFlat(const TileNode& tile) {
+  return tile.side > std::max(kLeastFlatSide, kFlatness * (tile.upper.y - tile.lower.y));
+}
+/// The sheets of the flat squares of one file, in a texture of their own.
+class SheetSet {
  public:
-  CloudWalk(NodeWriter& nodes, QuadShapes& shapes, const scene::Scene& scene, const Stage& stage)
-      : nodes_(nodes),
-        shapes_(shapes),
-        scene_(scene),
-        stage_(stage),
-        defined_(kShades * scene.lit.size()),
-        simpleDefined_(kShades * scene.lit.size()) {
-    chooseDetail();
+  SheetSet(const scene::Scene& scene, const std::vector<const TileNode*>& tiles, std::string name)
+      : name_(std::move(name)) {
+    for (const TileNode* tile : tiles)
+      if (isFlat(*tile)) {
+        places_[tile] = sheets_.size();
+        sheets_.emplace_back();
+        flat_.push_back(tile);
+      }
+    const int pixels = flat_.size() <= kFineSheets ? kSheetPixels : kSheetPixels / 2;
+    base::parallelFor(flat_.size(),
+                      [&](std::size_t i) { sheets_[i] = sheetOf(scene, flat_[i]->instances, pixels); });
+    atlas_.emplace(sheets_, pixels);
   }
 
-  void tile(const scene::Tile& tile) {
-    const std::string def = fmt::format("Tile_{}_{}", signedName(tile.column), signedName(tile.row));
-    if (vrml97()) {
-      nodes_.open("Group", "children", def);
-      clouds(tile);
-      nodes_.close();
-      return;
-    }
-    nodes_.open("LOD", "children", def);
-    nodes_.vector("center", 0.5f * (tile.lower + tile.upper), 1);
-    nodes_.numbers("range", std::array{tileRange()}, 1, 0);
-    nodes_.open("Group");
-    clouds(tile);
-    nodes_.close();
-    nodes_.open("Group");
-    cards(tile.instances, Range::Far);
-    nodes_.close();
-    nodes_.close();
+  bool has(const TileNode& tile) const { return places_.contains(&tile); }
+  void write(QuadShapes& shapes, const TileNode& tile) const {
+    const std::size_t index = places_.at(&tile);
+    shapes.writePictures("Sheets", name_, atlas_->meshOf(sheets_[index], index));
+  }
+  /// Writes the texture, if there is a flat square. Throws OutputError.
+  void texture(const std::filesystem::path& folder) const {
+    if (!sheets_.empty()) image::writePng(folder / "textures" / name_, atlas_->texture());
   }
 
  private:
-  enum class Detail : unsigned char { Full, Simple, Cards };
-  enum class Range { Near, Far };
+  std::string name_;
+  std::vector<const TileNode*> flat_;
+  std::vector<Sheet> sheets_;
+  std::map<const TileNode*, std::size_t> places_;
+  std::optional<SheetAtlas> atlas_;
+};
 
-  void clouds(const scene::Tile& tile) {
-    std::vector<std::uint32_t> others;
-    for (const std::uint32_t i : tile.instances) {
-      if (detail_[i] == Detail::Cards)
-        others.push_back(i);
+/// What one file of a scene is written with.
+struct File {
+  NodeWriter& nodes;
+  QuadShapes& shapes;
+  CloudNodes clouds;
+  const SheetSet& sheets;
+};
+
+class Tiles {
+ public:
+  Tiles(const scene::Scene& scene, const Stage& stage, const std::vector<image::SpriteAtlas>& atlases,
+        Encoding encoding)
+      : scene_(scene),
+        stage_(stage),
+        atlases_(atlases),
+        encoding_(encoding),
+        trees_(tileTrees(scene, stage)),
+        full_(fullOf(scene)),
+        isParted_(partedOf(scene)),
+        coverings_(scene, atlases, full_) {
+    chooseAtHand();
+  }
+
+  /// Writes the files of the tiles that are not at hand.
+  void files(const std::filesystem::path& folder, const base::Progress& progress) const {
+    constexpr std::size_t kAtOnce = 16;
+    for (std::size_t start = 0; start < trees_.size(); start += kAtOnce) {
+      progress.step("writing X3D", static_cast<double>(start) / static_cast<double>(trees_.size()));
+      base::parallelFor(std::min(kAtOnce, trees_.size() - start), [&](std::size_t i) {
+        if (!isAtHand_[start + i]) file(trees_[start + i], folder);
+      });
+    }
+  }
+
+  /// Writes the tiles into the scene's file.
+  void roots(NodeWriter& nodes, QuadShapes& shapes, const std::filesystem::path& folder) const {
+    std::vector<const TileNode*> squares;
+    for (std::size_t i = 0; i < trees_.size(); ++i) {
+      squares.push_back(&trees_[i]);
+      if (isAtHand_[i]) addParts(trees_[i], squares);
+    }
+    const SheetSet sheets(scene_, squares, "sheets.png");
+    sheets.texture(folder);
+    File main{nodes, shapes, CloudNodes(nodes, shapes, scene_, coverings_), sheets};
+    for (std::size_t i = 0; i < trees_.size(); ++i) {
+      if (isAtHand_[i])
+        levels(main, "Tile_" + trees_[i].name, trees_[i]);
       else
-        cloud(i);
+        away(main, trees_[i]);
     }
-    cards(others, Range::Near);
+    for (std::size_t i = 0; i < trees_.size(); ++i)
+      if (!isAtHand_[i]) routes(nodes, trees_[i].name);
   }
 
-  /// XML names and VRML ids hold no minus sign in every viewer.
-  static std::string signedName(int value) {
-    return value < 0 ? "m" + std::to_string(-value) : std::to_string(value);
-  }
-
-  const scene::Archetype& archetypeOf(const scene::Instance& instance) const {
-    return scene_.archetypes[scene_.lit[instance.lit].archetype];
-  }
-
-  bool vrml97() const { return nodes_.encoding() == Encoding::Vrml97; }
-
-  /// Which clouds become nodes of their own. In VRML97, which does without LOD, those nearest to where the
-  /// viewpoints look are drawn in full, more of them as their far level.
-  void chooseDetail() {
-    detail_.assign(scene_.instances.size(), Detail::Full);
-    std::vector<std::uint32_t> order(scene_.instances.size());
-    std::iota(order.begin(), order.end(), 0u);
-    const auto width = [&](std::uint32_t i) {
-      return scene_.instances[i].scale * archetypeOf(scene_.instances[i]).widthMeters;
-    };
-    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return width(a) > width(b); });
-    chooseParted(order);
-    if (!vrml97()) {
-      for (size_t i = kMostCloudNodes; i < order.size(); ++i) detail_[order[i]] = Detail::Cards;
-      return;
-    }
-    const auto distance = [&](std::uint32_t i) {
-      return glm::distance(scene_.instances[i].position, stage_.focus);
-    };
-    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return distance(a) < distance(b); });
-    for (size_t i = kVrml97Full; i < order.size(); ++i)
-      detail_[order[i]] = i < kVrml97Simple ? Detail::Simple : Detail::Cards;
-  }
-
-  /// As cards the widest clouds are a handful of puffs, the others one: kFarPuffs together.
-  void chooseParted(std::span<const std::uint32_t> widestFirst) {
-    isParted_.assign(scene_.instances.size(), false);
-    std::size_t puffs = scene_.instances.size();
-    for (const std::uint32_t i : widestFirst) {
-      const std::size_t parts = archetypeOf(scene_.instances[i]).farPuffs.size();
-      if (parts == 0) continue;
-      puffs += parts - 1;
-      if (puffs > kFarPuffs) break;
-      isParted_[i] = true;
+ private:
+  /// Tiles about the places that the viewpoints look at, at least one.
+  void chooseAtHand() {
+    isAtHand_.assign(trees_.size(), false);
+    std::vector<std::size_t> order(trees_.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto away = [&](std::size_t i) { return glm::distance(trees_[i].middle(), stage_.focus); };
+    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return away(a) < away(b); });
+    std::size_t puffs = 0;
+    for (const std::size_t tile : order) {
+      puffs += puffsToRead(scene_, trees_[tile].instances);
+      if (puffs > kPuffsAtHand && tile != order.front()) break;
+      isAtHand_[tile] = true;
     }
   }
 
   /// Distance within which about so many clouds stand, were they spread evenly.
   float reachOf(double clouds) const {
-    const double count = static_cast<double>(std::clamp<size_t>(scene_.instances.size(), 1, kMostCloudNodes));
+    const auto count = static_cast<double>(std::max<std::size_t>(scene_.instances.size(), 1));
     const double area =
         static_cast<double>(stage_.upper.x - stage_.lower.x) * (stage_.upper.z - stage_.lower.z);
     return static_cast<float>(std::sqrt(clouds * area / (std::numbers::pi * count)));
   }
 
-  /// A viewer in the middle of a tile always sees its clouds.
-  float tileRange() const {
-    const float side = tileSide(stage_);
-    return std::clamp(reachOf(kLiveClouds) + 0.5f * side, 0.9f * side, std::max(4 * stage_.extent, side));
+  /// A viewer in the middle of a square always sees its clouds.
+  float rangeOf(const TileNode& tile) const {
+    if (isFlat(tile)) return kFlatRange * tile.side;
+    return std::clamp(reachOf(kLiveClouds) + 0.5f * tile.side, 0.9f * tile.side,
+                      std::max(4 * stage_.extent, tile.side));
   }
 
-  /// In full from near, but not so far that more than about kFullClouds are; in metres of the archetype.
-  float cloudRange(float size) const {
-    return std::clamp(reachOf(kFullClouds), 2.5f * size, kNearSizes * size);
+  static void openLod(NodeWriter& nodes, const std::string& def, const TileNode& tile, float range) {
+    nodes.open("LOD", "children", def);
+    nodes.vector("center", tile.middle(), 1);
+    nodes.numbers("range", std::array{range}, 1, 0);
   }
 
-  void cloud(std::uint32_t i) {
-    const scene::Instance& instance = scene_.instances[i];
-    nodes_.open("Transform");
-    nodes_.vector("scale", glm::vec3(instance.scale), 4);
-    nodes_.vector("translation", instance.position, 1);
-    if (i < scene_.clouds.size()) record(scene_.clouds[i]);
-    if (vrml97())
-      fixedLevel(shadedOf(instance), detail_[i]);
+  /// A square as LODs of those within it, or as its clouds.
+  void within(File& file, const TileNode& tile) const {
+    for (const TileNode& part : tile.children) levels(file, "Part_" + part.name, part);
+    if (!tile.children.empty()) return;
+    for (const std::uint32_t i : tile.instances) {
+      if (full_[i])
+        file.clouds.inLevels(i, reachOf(kFullClouds));
+      else
+        file.clouds.fixed(i, CloudDetail::Simple);
+    }
+  }
+
+  static void addParts(const TileNode& tile, std::vector<const TileNode*>& out) {
+    for (const TileNode& part : tile.children) {
+      out.push_back(&part);
+      addParts(part, out);
+    }
+  }
+
+  /// The clouds of a square as they are seen from far off.
+  void afar(File& file, const TileNode& tile) const {
+    if (file.sheets.has(tile))
+      file.sheets.write(file.shapes, tile);
     else
-      levels(shadedOf(instance));
-    nodes_.close();
+      writeCards(file.shapes, scene_, tile.instances, isParted_, CardRange::Far);
   }
 
-  void record(const scene::CloudRecord& cloud) {
-    const std::string genus(base::abbreviation(cloud.genus)), id = std::to_string(cloud.id);
-    const std::array<float, 3> measures{cloud.baseMeters, cloud.topMeters, cloud.opticalDepth};
-    if (nodes_.encoding() == Encoding::Vrml97) {
-      std::string numbers = "base_m ";
-      base::appendFixed(numbers, measures[0], 0);
-      numbers += " top_m ";
-      base::appendFixed(numbers, measures[1], 0);
-      numbers += " optical_depth ";
-      base::appendFixed(numbers, measures[2], 2);
-      nodes_.open("WorldInfo");
-      nodes_.strings("info", std::vector<std::string>{"id " + id, "genus " + genus, "rule " + cloud.rule,
-                                                      "cell " + std::to_string(cloud.cell), numbers});
-      nodes_.string("title", "cloud");
-      nodes_.close();
-      return;
-    }
-    nodes_.open("MetadataSet", "metadata");
-    nodes_.string("name", "cloud");
-    nodes_.open("MetadataString", "value");
-    nodes_.string("name", "id genus rule");
-    nodes_.strings("value", std::vector<std::string>{id, genus, cloud.rule});
-    nodes_.close();
-    nodes_.open("MetadataInteger", "value");
-    nodes_.string("name", "cell");
-    nodes_.integers("value", std::array{static_cast<std::int32_t>(cloud.cell)});
-    nodes_.close();
-    nodes_.open("MetadataFloat", "value");
-    nodes_.string("name", "base_m top_m optical_depth");
-    nodes_.numbers("value", measures, 1, 2);
-    nodes_.close();
-    nodes_.close();
+  /// A square with its clouds and as it is from afar, both in this file.
+  void levels(File& file, const std::string& def, const TileNode& tile) const {
+    openLod(file.nodes, def, tile, rangeOf(tile));
+    file.nodes.open("Group");
+    within(file, tile);
+    file.nodes.close();
+    file.nodes.open("Group");
+    afar(file, tile);
+    file.nodes.close();
+    file.nodes.close();
   }
 
-  /// A lit archetype in one of a few steps of shadow from other clouds, which clouds share by DEF and USE.
-  struct Shaded {
-    std::uint32_t lit;
-    int shade;  ///< 0 in full sun .. kShades - 1 in none
-    std::size_t index() const { return kShades * lit + static_cast<std::size_t>(shade); }
-  };
-  static constexpr std::size_t kShades = 4;
-
-  static Shaded shadedOf(const scene::Instance& instance) {
-    return {instance.lit, static_cast<int>(std::lround((1 - instance.sunlight) * (kShades - 1)))};
+  /// A tile as it is from afar until the viewer is near and its file is there. X3DOM 1.8 fetches any Inline
+  /// at once, whatever `load` says, and then waits for it forever; it knows no LoadSensor and leaves out what
+  /// is defined within it, and so stays with the far level.
+  void away(File& file, const TileNode& tile) const {
+    NodeWriter& nodes = file.nodes;
+    const float range = rangeOf(tile);
+    nodes.open("ProximitySensor", "children", "Near_" + tile.name);
+    nodes.vector("center", tile.middle(), 1);
+    nodes.vector("size", glm::vec3(2 * kLoadAhead * range), 0);
+    nodes.close();
+    nodes.open("LoadSensor", "children", "Loaded_" + tile.name);
+    nodes.open("Inline", "children", "Clouds_" + tile.name);
+    nodes.boolean("load", false);
+    nodes.strings("url", std::vector<std::string>{fileOf(tile)});
+    nodes.close();
+    nodes.close();
+    openLod(nodes, "Tile_" + tile.name, tile, range);
+    nodes.open("Switch", "children", "Choice_" + tile.name);
+    nodes.integer("whichChoice", 0);
+    nodes.open("Group", "children", "Far_" + tile.name);
+    afar(file, tile);
+    nodes.close();
+    nodes.use("Inline", "children", "Clouds_" + tile.name);
+    nodes.close();
+    nodes.use("Group", "children", "Far_" + tile.name);
+    nodes.close();
+    nodes.open("IntegerTrigger", "children", "Choose_" + tile.name);
+    nodes.integer("integerKey", 1);
+    nodes.close();
   }
 
-  /// The puffs of a shaded archetype, turned by its yaw.
-  std::vector<LitPuff> turned(const Shaded& shaded, std::span<const shape::Puff> puffs,
-                              std::span<const light::PuffLight> lights) const {
-    const glm::quat turn =
-        glm::angleAxis(scene::yawRadians(scene_.lit[shaded.lit].yawStep), glm::vec3(0, 1, 0));
-    const glm::vec3 dimming =
-        light::dimming(1 - static_cast<float>(shaded.shade) / (kShades - 1), scene_.sun.color, scene_.sky);
-    std::vector<LitPuff> out;
-    for (size_t i = 0; i < puffs.size(); ++i) {
-      LitPuff one{puffs[i], dimming * (i < lights.size() ? lights[i].color : glm::vec3(1))};
-      one.puff.center = turn * one.puff.center;
-      one.puff.rotation = turn * one.puff.rotation;
-      out.push_back(one);
-    }
-    return out;
+  static void routes(NodeWriter& nodes, const std::string& name) {
+    nodes.route("Near_" + name, "isActive", "Clouds_" + name, "load");
+    nodes.route("Loaded_" + name, "isLoaded", "Choose_" + name, "set_boolean");
+    nodes.route("Choose_" + name, "triggerValue", "Choice_" + name, "whichChoice");
   }
 
-  std::string nameOf(const Shaded& shaded) const {
-    const scene::LitArchetype& lit = scene_.lit[shaded.lit];
-    return fmt::format("{}_yaw{}{}", scene_.archetypes[lit.archetype].name, lit.yawStep,
-                       shaded.shade > 0 ? fmt::format("_shade{}", shaded.shade) : "");
+  std::string fileOf(const TileNode& tile) const {
+    return fmt::format("scene.tile_{}.{}", tile.name, encoding_ == Encoding::Xml ? "x3d" : "x3dv");
   }
 
-  void levels(const Shaded& shaded) {
-    const shape::Bounds& box = scene_.archetypes[scene_.lit[shaded.lit].archetype].bounds;
-    if (defined_[shaded.index()]) return nodes_.use("LOD", "children", nameOf(shaded));
-    defined_[shaded.index()] = true;
-    const glm::vec3 size = box.upper - box.lower;
-    nodes_.open("LOD", "children", nameOf(shaded));
-    nodes_.vector("center", glm::vec3(0, 0.5f * (box.lower.y + box.upper.y), 0), 1);
-    nodes_.numbers("range", std::array{cloudRange(std::max({size.x, size.y, size.z}))}, 1, 0);
-    level(shaded, Detail::Full, {});
-    level(shaded, Detail::Simple, {});
-    nodes_.close();
+  void file(const TileNode& tile, const std::filesystem::path& folder) const {
+    const auto nodes = nodeWriter(encoding_, folder / fileOf(tile));
+    QuadShapes shapes(*nodes, atlases_);
+    nodes->start(
+        {{"title", fmt::format("Tile {} of the clouds of {}", tile.name, base::isoText(scene_.validTime))},
+         {"creator", "cloudgen"},
+         {"generator", "cloudgen"}});
+    std::vector<const TileNode*> squares;
+    addParts(tile, squares);
+    const SheetSet sheets(scene_, squares, fmt::format("sheets_{}.png", tile.name));
+    sheets.texture(folder);
+    File one{*nodes, shapes, CloudNodes(*nodes, shapes, scene_, coverings_), sheets};
+    within(one, tile);
+    nodes->finish();
   }
 
-  void fixedLevel(const Shaded& shaded, Detail detail) {
-    std::vector<bool>& defined = detail == Detail::Full ? defined_ : simpleDefined_;
-    const std::string def = nameOf(shaded) + (detail == Detail::Full ? "" : "_far");
-    if (defined[shaded.index()]) return nodes_.use("Group", "children", def);
-    defined[shaded.index()] = true;
-    level(shaded, detail, def);
-  }
-
-  /// A Group with the puffs (or, simple, the far puffs as one part) of a shaded archetype.
-  void level(const Shaded& shaded, Detail detail, const std::string& def) {
-    const scene::LitArchetype& lit = scene_.lit[shaded.lit];
-    const scene::Archetype& archetype = scene_.archetypes[lit.archetype];
-    if (detail == Detail::Full)
-      parts(archetype.genus, turned(shaded, archetype.puffs, lit.puffs), archetype.sectionStart,
-            kMostClusters, def);
-    else if (archetype.farPuffs.empty())
-      parts(archetype.genus, turned(shaded, archetype.puffs, lit.puffs), {}, 1, def);
-    else
-      parts(archetype.genus, turned(shaded, archetype.farPuffs, lit.farPuffs), {}, 1, def);
-  }
-
-  /// A part of a cloud: its quads, about a Billboard's origin where it turns.
-  struct Drawn {
-    Cluster cluster;
-    std::vector<LitPuff> members;
-  };
-
-  QuadMesh quadsOf(base::Genus genus, const Drawn& drawn) const {
-    return drawn.cluster.turns ? facingQuads(drawn.members, drawn.cluster.center, shapes_.atlas(genus))
-                               : crossedQuads(drawn.members, glm::vec3(0), shapes_.atlas(genus));
-  }
-
-  void parts(base::Genus genus, const std::vector<LitPuff>& puffs, std::span<const std::uint32_t> sections,
-             std::size_t most, const std::string& def) {
-    std::vector<shape::Puff> bare;
-    for (const LitPuff& lit : puffs) bare.push_back(lit.puff);
-    std::vector<Drawn> all;
-    for (Cluster& cluster : clustersOf(bare, sections, most)) {
-      Drawn drawn{std::move(cluster), {}};
-      for (const std::uint32_t i : drawn.cluster.puffs) drawn.members.push_back(puffs[i]);
-      if (!drawn.cluster.turns) spreadAsFlat(drawn.members);
-      all.push_back(std::move(drawn));
-    }
-    coverAsPuffs(genus, bare, all);
-    nodes_.open("Group", "children", def);
-    for (const Drawn& drawn : all) {
-      if (!drawn.cluster.turns) {
-        shapes_.write(genus, quadsOf(genus, drawn));
-        continue;
-      }
-      nodes_.open("Transform");
-      nodes_.vector("translation", drawn.cluster.center, 1);
-      nodes_.open("Billboard");
-      nodes_.vector("axisOfRotation", glm::vec3(0), 0);
-      shapes_.write(genus, quadsOf(genus, drawn));
-      nodes_.close();
-      nodes_.close();
-    }
-    nodes_.close();
-  }
-
-  /// What turns to the viewer shows its side from above, too, which is less than its plan where it is flat:
-  /// quads are so wide that from above they cover together what the puffs do.
-  void coverAsPuffs(base::Genus genus, std::span<const shape::Puff> puffs, std::vector<Drawn>& all) const {
-    const double wanted = shape::coveredSquareMeters(puffs);
-    const float covering = shape::coveringThat(wanted, [&](float tried) {
-      PlanOfQuads plan(puffs);
-      for (Drawn& drawn : all) {
-        for (LitPuff& lit : drawn.members) lit.covering = tried;
-        if (drawn.cluster.turns)
-          plan.addTurning(quadsOf(genus, drawn), drawn.cluster.center);
-        else
-          plan.add(quadsOf(genus, drawn));
-      }
-      return plan.coveredSquareMeters();
-    });
-    for (Drawn& drawn : all)
-      for (LitPuff& lit : drawn.members) lit.covering = covering;
-  }
-
-  /// Quads have no thickness: they stand further apart, so that they begin and end where the puffs do.
-  static void spreadAsFlat(std::vector<LitPuff>& members) {
-    constexpr double kBorderShare = 0.05, kEndShare = 0.01;
-    std::vector<shape::Puff> puffs;
-    for (const LitPuff& lit : members) puffs.push_back(lit.puff);
-    const double lower = shape::heightOfShare(puffs, kBorderShare),
-                 upper = shape::heightOfShare(puffs, 1 - kBorderShare),
-                 lowest = shape::heightOfShare(puffs, kEndShare),
-                 highest = shape::heightOfShare(puffs, 1 - kEndShare);
-    for (shape::Puff& puff : puffs) puff.sigma = glm::vec3(1e-3f), puff.extinctionPerMeter = 1;
-    for (std::size_t i = 0; i < members.size(); ++i)
-      puffs[i].extinctionPerMeter = static_cast<float>(shape::extinctionArea(members[i].puff));
-    const double flatLower = shape::heightOfShare(puffs, kBorderShare),
-                 flatUpper = shape::heightOfShare(puffs, 1 - kBorderShare);
-    if (!(flatUpper - flatLower > 0.05 * (upper - lower))) return;  // all in one plane
-    const double stretch = std::min(3.0, (upper - lower) / (flatUpper - flatLower));
-    for (LitPuff& lit : members)
-      lit.puff.center.y = static_cast<float>(
-          std::clamp(0.5 * (lower + upper) + stretch * (lit.puff.center.y - 0.5 * (flatLower + flatUpper)),
-                     lowest, highest));
-  }
-
-  /// Level quads have no thickness: several, from where a uniform layer of the puff's depth begins to where
-  /// it ends, tell base and top, and each height between that they are far apart.
-  static void addLevels(const LitPuff& whole, std::vector<LitPuff>& out) {
-    constexpr float kAway = 1.5f, kThin = 0.02f, kStepMeters = 1500;
-    const float reach = kAway * whole.puff.sigma.y;
-    const int levels = std::clamp(1 + static_cast<int>(std::lround(2 * reach / kStepMeters)), 2, 6);
-    for (int i = 0; i < levels; ++i) {
-      LitPuff level = whole;
-      level.planes = Planes::Level;
-      level.puff.center +=
-          whole.puff.rotation * glm::vec3(0, reach * (2.0f * static_cast<float>(i) / (levels - 1) - 1), 0);
-      level.puff.sigma.y *= kThin;
-      level.puff.extinctionPerMeter /= kThin * static_cast<float>(levels);
-      level.covering /= static_cast<float>(levels);  // of all of them together
-      out.push_back(level);
-    }
-  }
-
-  /// Clouds as crossed cards, one Shape a genus, in the scene frame.
-  void cards(std::span<const std::uint32_t> instances, Range range) {
-    std::map<base::Genus, std::vector<LitPuff>> puffs;
-    for (const std::uint32_t i : instances) {
-      const scene::Instance& instance = scene_.instances[i];
-      const scene::LitArchetype& lit = scene_.lit[instance.lit];
-      const scene::Archetype& archetype = archetypeOf(instance);
-      const bool inParts = isParted_[i];
-      const std::span<const shape::Puff> source =
-          inParts ? std::span(archetype.farPuffs) : std::span(&archetype.onePuff, 1);
-      const std::span<const light::PuffLight> lights =
-          inParts ? std::span(lit.farPuffs) : std::span(&lit.onePuff, 1);
-      const glm::vec3 dimming = light::dimming(instance.sunlight, scene_.sun.color, scene_.sky);
-      std::vector<LitPuff> placed;
-      for (size_t p = 0; p < source.size(); ++p)
-        placed.push_back(
-            {scene::placed(scene_, instance, source[p]), dimming * lights[p].color,
-             inParts ? archetype.farCovering : static_cast<float>(shape::kCoveringOpticalDepth)});
-      auto& all = puffs[archetype.genus];
-      // From afar nobody tells how dense a cloud is, or where within it: one quad less to blend.
-      if (range == Range::Far) {
-        all.insert(all.end(), placed.begin(), placed.end());
-        continue;
-      }
-      for (LitPuff& whole : placed) {
-        addLevels(whole, all);
-        whole.planes = Planes::Upright;
-        all.push_back(whole);
-      }
-    }
-    for (const auto& [genus, all] : puffs)
-      shapes_.write(genus, crossedQuads(all, glm::vec3(0), shapes_.atlas(genus)));
-  }
-
-  NodeWriter& nodes_;
-  QuadShapes& shapes_;
   const scene::Scene& scene_;
   const Stage& stage_;
-  std::vector<Detail> detail_;
-  std::vector<bool> isParted_;
-  std::vector<bool> defined_, simpleDefined_;
+  const std::vector<image::SpriteAtlas>& atlases_;
+  Encoding encoding_;
+  std::vector<TileNode> trees_;
+  std::vector<bool> full_, isParted_, isAtHand_;
+  Coverings coverings_;
 };
+
+/// All clouds in one file: those nearest to where the viewpoints look in full, more of them as their far
+/// puffs, the others as cards.
+void writeFixed(NodeWriter& nodes, QuadShapes& shapes, const scene::Scene& scene, const Stage& stage,
+                const base::Progress& progress) {
+  std::vector<std::uint32_t> order(scene.instances.size()), rank(order.size());
+  std::iota(order.begin(), order.end(), 0u);
+  const auto away = [&](std::uint32_t i) { return glm::distance(scene.instances[i].position, stage.focus); };
+  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return away(a) < away(b); });
+  std::vector<bool> full(order.size(), false);
+  for (std::uint32_t i = 0; i < order.size(); ++i) {
+    rank[order[i]] = i;
+    full[order[i]] = i < kVrml97Full;
+  }
+  const Coverings coverings(scene, shapes.atlases(), full);
+  const std::vector<bool> inParts = partedOf(scene);
+  CloudNodes clouds(nodes, shapes, scene, coverings);
+  const auto trees = tileTrees(scene, stage);
+  for (std::size_t i = 0; i < trees.size(); ++i) {
+    progress.step("writing VRML", static_cast<double>(i) / static_cast<double>(trees.size()));
+    nodes.open("Group", "children", "Tile_" + trees[i].name);
+    std::vector<std::uint32_t> others;
+    for (const std::uint32_t instance : trees[i].instances) {
+      if (rank[instance] < kVrml97Simple)
+        clouds.fixed(instance, full[instance] ? CloudDetail::Full : CloudDetail::Simple);
+      else
+        others.push_back(instance);
+    }
+    writeCards(shapes, scene, others, inParts, CardRange::Near);
+    nodes.close();
+  }
+}
 
 }  // namespace
 
 void writeClouds(NodeWriter& nodes, QuadShapes& shapes, const scene::Scene& scene, const Stage& stage,
-                 const base::Progress& progress) {
-  CloudWalk walk(nodes, shapes, scene, stage);
-  const auto tiles = scene::tilesOf(scene, tileSide(stage));
-  for (size_t i = 0; i < tiles.size(); ++i) {
-    progress.step("writing X3D", static_cast<double>(i) / static_cast<double>(tiles.size()));
-    walk.tile(tiles[i]);
-  }
+                 const std::filesystem::path& folder, const base::Progress& progress) {
+  if (nodes.encoding() == Encoding::Vrml97) return writeFixed(nodes, shapes, scene, stage, progress);
+  const Tiles tiles(scene, stage, shapes.atlases(), nodes.encoding());
+  tiles.files(folder, progress);
+  tiles.roots(nodes, shapes, folder);
 }
 
 }  // namespace cloudgen::writer

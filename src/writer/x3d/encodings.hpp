@@ -14,6 +14,8 @@ class XmlWriter : public NodeWriter {
   void open(std::string_view type, std::string_view field, std::string_view def) override;
   void close() override;
   void use(std::string_view type, std::string_view field, std::string_view def) override;
+  void route(std::string_view fromNode, std::string_view fromField, std::string_view toNode,
+             std::string_view toField) override;
   void finish() override;
   void boolean(std::string_view name, bool value) override;
   void string(std::string_view name, std::string_view value) override;
@@ -37,6 +39,8 @@ class VrmlWriter : public NodeWriter {
   void open(std::string_view type, std::string_view field, std::string_view def) override;
   void close() override;
   void use(std::string_view type, std::string_view field, std::string_view def) override;
+  void route(std::string_view fromNode, std::string_view fromField, std::string_view toNode,
+             std::string_view toField) override;
   void finish() override;
   void boolean(std::string_view name, bool value) override;
   void string(std::string_view name, std::string_view value) override;

@@ -39,6 +39,9 @@ class NodeWriter {
                     std::string_view def = {}) = 0;
   virtual void close() = 0;
   virtual void use(std::string_view type, std::string_view field, std::string_view def) = 0;
+  /// At the root, after the nodes that it joins.
+  virtual void route(std::string_view fromNode, std::string_view fromField, std::string_view toNode,
+                     std::string_view toField) = 0;
   /// Ends the document and the file. Throws OutputError.
   virtual void finish() = 0;
 

@@ -58,23 +58,29 @@ void QuadShapes::write(base::Genus genus, const QuadMesh& mesh) {
     const glm::vec4 mean = meanColor(mesh);
     if (mean.a < kThinOpacity) material = mean;
   }
-  const std::span<const std::uint32_t> faces(mesh.faces);
-  for (size_t i = 0; i < faces.size(); i += kFacesPerShape)
-    shape(genus, mesh, faces.subspan(i, std::min(kFacesPerShape, faces.size() - i)),
-          material ? &*material : nullptr);
+  const std::string name(base::abbreviation(genus));
+  shapes({"Look_" + name, "Sprites_" + name, atlas(genus).file}, mesh, material ? &*material : nullptr);
 }
 
-void QuadShapes::texture(base::Genus genus) {
-  const std::string def = "Sprites_" + std::string(base::abbreviation(genus));
-  bool& defined = textureDefined_[static_cast<size_t>(genus)];
-  if (defined) return nodes_.use("ImageTexture", "texture", def);
-  defined = true;
-  nodes_.open("ImageTexture", "texture", def);
-  nodes_.strings("url", std::vector<std::string>{"textures/" + atlas(genus).file});
+void QuadShapes::writePictures(const std::string& look, const std::string& texture, const QuadMesh& mesh) {
+  shapes({"Look_" + look, "Pictures_" + look, texture}, mesh, nullptr);
+}
+
+void QuadShapes::shapes(const Look& look, const QuadMesh& mesh, const glm::vec4* material) {
+  const std::span<const std::uint32_t> faces(mesh.faces);
+  for (std::size_t i = 0; i < faces.size(); i += kFacesPerShape)
+    shape(look, mesh, faces.subspan(i, std::min(kFacesPerShape, faces.size() - i)), material);
+}
+
+void QuadShapes::texture(const Look& look) {
+  if (!defined_.insert(look.textureName).second)
+    return nodes_.use("ImageTexture", "texture", look.textureName);
+  nodes_.open("ImageTexture", "texture", look.textureName);
+  nodes_.strings("url", std::vector<std::string>{"textures/" + look.file});
   nodes_.close();
 }
 
-void QuadShapes::appearance(base::Genus genus, const glm::vec4* material) {
+void QuadShapes::appearance(const Look& look, const glm::vec4* material) {
   if (material) {
     nodes_.open("Appearance", "appearance");
     nodes_.open("Material", "material");
@@ -83,20 +89,17 @@ void QuadShapes::appearance(base::Genus genus, const glm::vec4* material) {
     nodes_.vector("emissiveColor", glm::vec3(*material), 3);
     nodes_.number("transparency", 1 - material->a, 3);
     nodes_.close();
-    texture(genus);
+    texture(look);
     nodes_.close();
     return;
   }
-  const std::string def = "Look_" + std::string(base::abbreviation(genus));
-  bool& defined = appearanceDefined_[static_cast<size_t>(genus)];
-  if (defined) return nodes_.use("Appearance", "appearance", def);
-  defined = true;
-  nodes_.open("Appearance", "appearance", def);
-  texture(genus);
+  if (!defined_.insert(look.name).second) return nodes_.use("Appearance", "appearance", look.name);
+  nodes_.open("Appearance", "appearance", look.name);
+  texture(look);
   nodes_.close();
 }
 
-void QuadShapes::shape(base::Genus genus, const QuadMesh& mesh, std::span<const std::uint32_t> faces,
+void QuadShapes::shape(const Look& look, const QuadMesh& mesh, std::span<const std::uint32_t> faces,
                        const glm::vec4* material) {
   const bool vrml97 = nodes_.encoding() == Encoding::Vrml97;
   std::vector<float> points, textureBoxes, colors, opticalDepths;
@@ -128,7 +131,7 @@ void QuadShapes::shape(base::Genus genus, const QuadMesh& mesh, std::span<const 
   }
 
   nodes_.open("Shape");
-  appearance(genus, material);
+  appearance(look, material);
   nodes_.open(vrml97 ? "IndexedFaceSet" : "IndexedTriangleSet", "geometry");
   nodes_.integers(vrml97 ? "coordIndex" : "index", indices);
   if (hasOpaque && !vrml97) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
+#include <set>
+#include <string>
 
 #include "base/genus.hpp"
 #include "writer/x3d/node_writer.hpp"
@@ -27,17 +28,26 @@ class QuadShapes {
   /// tells it), if some are so dense that alpha cannot.
   void write(base::Genus genus, const QuadMesh& mesh);
 
+  /// The same with a texture of its own, whose Appearance is named `look`; not for VRML97.
+  void writePictures(const std::string& look, const std::string& texture, const QuadMesh& mesh);
+
+  const std::vector<image::SpriteAtlas>& atlases() const { return atlases_; }
   const image::SpriteAtlas& atlas(base::Genus genus) const { return image::atlasOf(atlases_, genus); }
 
  private:
-  void appearance(base::Genus genus, const glm::vec4* material);
-  void texture(base::Genus genus);
-  void shape(base::Genus genus, const QuadMesh& mesh, std::span<const std::uint32_t> faces,
+  /// Names of an Appearance and of its texture, and the texture's file.
+  struct Look {
+    std::string name, textureName, file;
+  };
+  void shapes(const Look& look, const QuadMesh& mesh, const glm::vec4* material);
+  void appearance(const Look& look, const glm::vec4* material);
+  void texture(const Look& look);
+  void shape(const Look& look, const QuadMesh& mesh, std::span<const std::uint32_t> faces,
              const glm::vec4* material);
 
   NodeWriter& nodes_;
   const std::vector<image::SpriteAtlas>& atlases_;
-  std::array<bool, base::kGenusCount> appearanceDefined_{}, textureDefined_{};
+  std::set<std::string> defined_;
 };
 
 }  // namespace cloudgen::writer

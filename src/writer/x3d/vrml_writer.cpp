@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include "writer/x3d/encodings.hpp"
 
 namespace cloudgen::writer {
@@ -78,6 +80,11 @@ void VrmlWriter::use(std::string_view, std::string_view field, std::string_view 
   beginChild(field);
   text() += "USE ";
   text() += def;
+}
+
+void VrmlWriter::route(std::string_view fromNode, std::string_view fromField, std::string_view toNode,
+                       std::string_view toField) {
+  text() += fmt::format("\nROUTE {}.{} TO {}.{}", fromNode, fromField, toNode, toField);
 }
 
 void VrmlWriter::finish() {

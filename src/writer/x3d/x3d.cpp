@@ -18,7 +18,7 @@ void writeScene(const scene::Scene& scene, const Destination& destination, Encod
 
   nodes->start(head);
   writeEnvironment(*nodes, scene, stage, head);
-  writeClouds(*nodes, shapes, scene, stage, destination.progress);
+  writeClouds(*nodes, shapes, scene, stage, destination.folder, destination.progress);
   nodes->finish();
 }
 

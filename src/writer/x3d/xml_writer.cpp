@@ -16,9 +16,8 @@ std::string_view defaultField(std::string_view type) {
   if (type == "ElevationGrid" || type == "IndexedFaceSet" || type == "IndexedLineSet" ||
       type == "IndexedTriangleSet")
     return "geometry";
-  if (type == "MetadataSet")
+  if (type.starts_with("Metadata"))
     return {};  // "metadata" by the standard, but X_ITE 15 takes it for a "value": always say which
-  if (type.starts_with("Metadata")) return "metadata";
   return "children";
 }
 
@@ -69,6 +68,17 @@ void XmlWriter::close() {
 void XmlWriter::use(std::string_view type, std::string_view field, std::string_view def) {
   beginTag(type, field);
   string("USE", def);
+  text() += "/>";
+  inTag_ = false;
+}
+
+void XmlWriter::route(std::string_view fromNode, std::string_view fromField, std::string_view toNode,
+                      std::string_view toField) {
+  beginTag("ROUTE", {});
+  string("fromNode", fromNode);
+  string("fromField", fromField);
+  string("toNode", toNode);
+  string("toField", toField);
   text() += "/>";
   inTag_ = false;
 }

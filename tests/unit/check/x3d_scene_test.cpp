@@ -130,6 +130,16 @@ TEST(X3dScene, ReadsTheFilesThatAreInlinedNearTheViewer) {
   EXPECT_FLOAT_EQ(scene.blobs[2].center.y, 0);
 }
 
+TEST(X3dScene, WhatIsDefinedWhereItIsWatchedIsDrawnWhereItIsUsed) {
+  const WrittenScene scene =
+      readFolder({{"scene.x3d",
+                   "<LoadSensor><Inline DEF='A' load='false' url='\"a.x3d\"'/></LoadSensor>"
+                   "<LOD range='9'><Switch whichChoice='0'><Group/><Inline USE='A'/></Switch><Group/></LOD>"},
+                  {"a.x3d", card(kFront, 0.2, true)}});
+  ASSERT_EQ(scene.blobs.size(), 1u);
+  EXPECT_NEAR(scene.blobs[0].opacity, 0.2, 1e-5);
+}
+
 TEST(X3dScene, ASwitchShowsItsChoice) {
   const auto shown = [](const char* choice) {
     return read(std::string("<Switch whichChoice='") + choice + "'>" + card(kFront, 0.2) + card(kFront, 0.9) +

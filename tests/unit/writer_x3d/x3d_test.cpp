@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <map>
 #include <regex>
 #include <set>
 
@@ -47,6 +48,15 @@ class X3d : public testing::Test {
     write(scene, {out(), {}});
     return base::readFile(out() / file);
   }
+  /// The scene and the files of its tiles, by name.
+  std::map<std::string, std::string> writtenFiles(void (*write)(const scene::Scene&, const Destination&),
+                                                  const scene::Scene& scene) {
+    write(scene, {out(), {}});
+    std::map<std::string, std::string> files;
+    for (const auto& entry : fs::directory_iterator(out()))
+      if (entry.is_regular_file()) files[entry.path().filename().string()] = base::readFile(entry.path());
+    return files;
+  }
   fs::path out() const { return root_ / "out"; }
 
   fs::path root_;
@@ -65,6 +75,15 @@ std::string withoutStringsAndComments(const std::string& vrml) {
     }
   }
   return rest;
+}
+
+/// 500 clouds of 60 puffs, half of them unlike any other: more than stand in one file.
+scene::Scene manyClouds() {
+  std::vector<scene::Archetype> archetypes;
+  for (int i = 0; i < 125; ++i)
+    archetypes.push_back(
+        test::sheet(fmt::format("Sc_{}", i), base::Genus::Stratocumulus, 600, 200, 60, 1, 1, 4));
+  return test::sceneOf(std::move(archetypes), 500);
 }
 
 struct Output {
@@ -111,26 +130,32 @@ TEST_F(X3d, IsValidByTheOfficialSchema) {
   const fs::path schema = fs::path(CLOUDGEN_SHARED_DIR) / "schemas/x3d-4.0.xsd";
   if (!fs::exists(schema)) GTEST_SKIP() << "the official X3D schema is not there";
   if (std::system("xmllint --version 2>/dev/null") != 0) GTEST_SKIP() << "xmllint is not installed";
-  written(writeX3d, test::smallScene(), "scene.x3d");
-  const std::string command = "xmllint --nonet --noout --schema '" + schema.string() + "' '" +
-                              (out() / "scene.x3d").string() + "' 2>&1";
-  EXPECT_EQ(std::system(command.c_str()), 0);
+  for (const scene::Scene& scene : {test::smallScene(), manyClouds()}) {
+    std::string command = "xmllint --nonet --noout --schema '" + schema.string() + "'";
+    for (const auto& [file, text] : writtenFiles(writeX3d, scene))
+      command += " '" + (out() / file).string() + "'";
+    EXPECT_EQ(std::system((command + " 2>&1").c_str()), 0);
+  }
 }
 
 TEST_F(X3d, EveryUseHasAnEarlierDefAndEveryDefIsUnique) {
-  const std::string text = written(writeX3d, test::smallScene(), "scene.x3d");
-  std::set<std::string> defined;
   const std::regex names(R"re((DEF|USE)="([^"]*)")re");
-  int uses = 0;
-  for (auto it = std::sregex_iterator(text.begin(), text.end(), names); it != std::sregex_iterator(); ++it) {
-    if ((*it)[1] == "DEF") {
-      EXPECT_TRUE(defined.insert((*it)[2]).second) << (*it)[2];
-      continue;
+  for (const scene::Scene& scene : {test::smallScene(), manyClouds()}) {
+    int uses = 0;
+    for (const auto& [file, text] : writtenFiles(writeX3d, scene)) {
+      std::set<std::string> defined;
+      for (auto it = std::sregex_iterator(text.begin(), text.end(), names); it != std::sregex_iterator();
+           ++it) {
+        if ((*it)[1] == "DEF") {
+          EXPECT_TRUE(defined.insert((*it)[2]).second) << (*it)[2];
+          continue;
+        }
+        ++uses;
+        EXPECT_TRUE(defined.count((*it)[2])) << (*it)[2];
+      }
     }
-    ++uses;
-    EXPECT_TRUE(defined.count((*it)[2])) << (*it)[2];
+    EXPECT_GE(uses, 16);
   }
-  EXPECT_GE(uses, 16);
 }
 
 TEST_F(X3d, CloudsStandWhereTheSceneHasThem) {
@@ -188,6 +213,41 @@ TEST_F(X3d, LevelsOfDetailHaveOneRangeLessThanLevelsAscending) {
   }
 }
 
+TEST_F(X3d, TilesAreFilesThatAreLoadedOnceTheViewerIsNear) {
+  for (const Output& output : std::span(kOutputs).first(2)) {
+    const std::string extension = fs::path(output.file).extension().string();
+    fs::remove_all(out());
+    fs::create_directories(out());
+    const auto files = writtenFiles(output.write, manyClouds());
+    const std::string& root = files.at(output.file);
+    std::size_t clouds = 0, atHand = 0;
+    for (const auto& [file, text] : files) {
+      const std::size_t own = matches(text, R"re((id genus rule))re").size();
+      clouds += own;
+      if (&text == &root) atHand = own;
+    }
+    EXPECT_EQ(clouds, 500u);
+    EXPECT_GT(atHand, 20u);  // about the places that the viewpoints look at
+    EXPECT_LT(atHand, 300u);
+    const auto tiles = matches(root, R"re(scene\.tile_([m0-9_]*)\.x3d)re");
+    EXPECT_EQ(tiles.size() + 1, files.size());
+    for (const std::string& tile : tiles) {
+      EXPECT_TRUE(files.contains(fmt::format("scene.tile_{}{}", tile, extension))) << tile;
+      for (const auto& [from, fromField, to, toField] :
+           {std::array{"Near_", "isActive", "Clouds_", "load"},
+            std::array{"Loaded_", "isLoaded", "Choose_", "set_boolean"},
+            std::array{"Choose_", "triggerValue", "Choice_", "whichChoice"}}) {
+        const std::string route =
+            extension == ".x3d"
+                ? fmt::format("fromNode=\"{}{}\" fromField=\"{}\" toNode=\"{}{}\" toField=\"{}\"", from, tile,
+                              fromField, to, tile, toField)
+                : fmt::format("ROUTE {}{}.{} TO {}{}.{}", from, tile, fromField, to, tile, toField);
+        EXPECT_NE(root.find(route), std::string::npos) << route;
+      }
+    }
+  }
+}
+
 TEST_F(X3d, NumbersArePlain) {
   for (const auto& [write, file, header] : kOutputs) {
     const std::string text = written(write, test::smallScene(), file);
@@ -198,9 +258,10 @@ TEST_F(X3d, NumbersArePlain) {
 }
 
 TEST_F(X3d, SameBytesTwice) {
-  const scene::Scene scene = test::smallScene();
+  const scene::Scene small = test::smallScene(), many = manyClouds();
   for (const auto& [write, file, header] : kOutputs)
-    EXPECT_EQ(written(write, scene, file), written(write, scene, file));
+    EXPECT_EQ(writtenFiles(write, small), writtenFiles(write, small));
+  EXPECT_EQ(writtenFiles(writeX3d, many), writtenFiles(writeX3d, many));
 }
 
 TEST_F(X3d, TexturesOfTheGeneraAreCopiedAndNoOthers) {

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "scene/scene.hpp"
+#include "writer/x3d/quads.hpp"
+
+namespace cloudgen::writer {
+
+/// Quads of a cloud that are drawn as one Shape, in the cloud's own metres.
+struct CloudPart {
+  bool turns = false;   ///< true: a Billboard about `center`, which the quads are given from
+  glm::vec3 center{0};  ///< zero for those that stay where they are
+  QuadMesh mesh;
+};
+
+/// How much of a cloud is drawn as a node of its own.
+enum class CloudDetail : unsigned char {
+  Full,   ///< all its puffs, in parts that turn where they are round
+  Simple  ///< its far puffs in one part
+};
+
+/// How wide the quads of every lit archetype are, so that from above they cover together what its puffs do:
+/// what turns to the viewer shows its side from above, too, which is less than its plan where it is flat.
+class Coverings {
+ public:
+  /// Of the lit archetypes of these instances.
+  Coverings(const scene::Scene& scene, const std::vector<image::SpriteAtlas>& atlases,
+            const std::vector<bool>& full);
+  float of(std::uint32_t lit, CloudDetail detail) const {
+    return (detail == CloudDetail::Full ? full_ : simple_)[lit];
+  }
+
+ private:
+  std::vector<float> full_, simple_;
+};
+
+/// A lit archetype turned by its yaw; `sunlight` is the share of the sun that other clouds leave it.
+std::vector<CloudPart> partsOf(const scene::Scene& scene, std::uint32_t lit, float sunlight,
+                               CloudDetail detail, float covering, const image::SpriteAtlas& atlas);
+
+}  // namespace cloudgen::writer
