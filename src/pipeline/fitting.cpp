@@ -16,12 +16,13 @@ namespace cloudgen::pipeline {
 namespace {
 
 /// Widths that a candidate is tried at, as shares of its own: in the steps that archetypes have.
-constexpr std::array<double, 8> kShares{1, 0.7071, 0.5, 0.3536, 0.25, 0.1768, 0.125, 0.0884};
+constexpr std::array<double, 6> kShares{1, 0.7071, 0.5, 0.3536, 0.25, 0.1768};
 constexpr int kRounds = 4, kBalancings = 2, kLastBalancings = 8;
 /// Candidates that may fail one after the other before a layer is left as it is.
 constexpr int kPatience = 12;
-/// Places at which one more cloud of a layer is tried.
+/// Places at which one more cloud of a layer is tried, and the least of its candidates' width that it has.
 constexpr std::size_t kTrials = 12;
+constexpr double kNarrowestOfMore = 0.25;
 /// A layer that shows less than this share of its optical depth lacks a cloud.
 constexpr double kLittleWater = 0.7;
 /// Weight of the cover of all layers together, beside that of each.
@@ -303,6 +304,12 @@ class Fitting {
     return 0;
   }
 
+  double ownDepthChange(const Filling& filling) const {
+    for (const Stroke::Touched& touched : stroke_.touched)
+      if (touched.layer == filling.painted) return touched.opticalDepth;
+    return 0;
+  }
+
   bool isFullSheet(const Filling& filling) const {
     return recipeOf(filling).sheet && layers_[filling.layer].fraction >= kFullCover;
   }
@@ -423,7 +430,7 @@ class Fitting {
       const std::optional<Candidate> candidate = candidateAt(context_, layer, filling.candidates, place);
       if (!candidate) continue;
       for (const double share : kShares) {
-        if (isTooNarrow(recipeOf(filling), *candidate, share)) break;
+        if (share < kNarrowestOfMore || isTooNarrow(recipeOf(filling), *candidate, share)) break;
         const Stamp stamp = stampOf(layer, *candidate, share);
         canvas_.brush(stamp, 1, stroke_);
         const double change = changeOfError(stroke_);
@@ -451,6 +458,9 @@ class Fitting {
     canvas_.brush(was, -1, stroke_);
     const double change = changeOfError(stroke_);
     paint();
+    // The others of its layer would hold its water: what they make of it is no reason to keep it.
+    const double asGiven = changeOfDepth(canvas_.cells()[filling.cell], canvas_.layers()[filling.painted],
+                                         -ownDepthChange(filling));
     Candidate& candidate = filling.candidates.list[filling.taken[i].candidate];
     const shape::Recipe& recipe = recipeOf(filling);
     const field::Layer& layer = layers_[filling.layer];
@@ -481,7 +491,7 @@ class Fitting {
       if (tooFarOut && moveTo(context_, layer, glm::mix(candidate.scenePlace, middle, inwards), moved))
         tryHere(moved);
     }
-    if (least > 0 && canBeMissed(filling, i)) return giveAway(filling, i);
+    if (least > asGiven && canBeMissed(filling, i)) return giveAway(filling, i);
     canvas_.brush(best, 1, stroke_);
     paint();
     filling.taken[i].stamp = best;
@@ -629,7 +639,9 @@ double pixelMetersFor(const CandidateContext& context, std::span<const field::La
 
 std::vector<FittedCloud> fitClouds(const CandidateContext& context, std::span<const std::uint32_t> cells,
                                    std::span<const field::Layer> layers, FootprintBook& footprints) {
-  return Fitting(context, cells, layers, footprints, pixelMetersFor(context, layers)).run();
+  // Rounded, so that the order of the layers does not show in what stands at the middles of pixels.
+  const auto pixelMeters = static_cast<float>(pixelMetersFor(context, layers));
+  return Fitting(context, cells, layers, footprints, pixelMeters).run();
 }
 
 }  // namespace cloudgen::pipeline

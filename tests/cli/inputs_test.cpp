@@ -38,7 +38,7 @@ const Input kInputs[] = {
     {"ruc13_g212_2005080700_f00.grb", "levels", 39, 1, "lcc", {"RH", "hypsometric"}, {}},
     {"wafs_thinned_reduced_ll_20070110.grib2", "levels", 11, 1, "longlat", {"RH"}, {}, "-100,0,-40,50"},
     {"ifs_oper_20240101_10msgs.grib2", "levels", 3, 1, "longlat", {"RH"}, {}, "-10,40,10,55"},
-    {"icon-eu_CLCT_MOD_20220427_f047.grib2", "layers", 0, 1, "longlat", {}, {}},
+    {"icon-eu_CLCT_MOD_20220427_f047.grib2", "layers", 0, 1, "longlat", {}, {}, "0,45,15,55"},
     {"cfs_flux_regular_gg_20060331.grb", "layers", 0, 1, "longlat", {}, {"averaged_cover"}},
     {"icon_ny-alesund_column_20210104.nc", "levels", 90, 25, "", {}, {}},
     {"metar_collective.txt", "layers", 0, 0, "longlat", {}, {"unknown_station"}},

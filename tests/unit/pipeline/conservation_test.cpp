@@ -129,6 +129,30 @@ TEST(Conservation, FewPuffsACell) {
   EXPECT_LT(std::abs(d.opticalDepthBias), 0.02) << d;
 }
 
+// Cells that are all covered, beside cells that are clear.
+TEST(Conservation, FullSheetsHaveNoGapsAndStayInTheirCells) {
+  for (const base::Genus genus : {base::Genus::Stratus, base::Genus::Altostratus}) {
+    test::MadeSource source(10, 44, 0.6, 8, 8);
+    field::StatedLayer layer = layerOf(genus, 1);
+    for (std::uint32_t cell = 0; cell < source.grid().size(); ++cell) {
+      layer.cell = cell;
+      if ((cell % 8 / 3 + cell / 8 / 3) % 2 == 0) source.layers.push_back(layer);
+    }
+    const Wanted wanted = wantedOf(source);
+    const scene::Scene scene = run(source, test::usualOptions(20'000), {}).scene;
+    double full = 0, fullRmse = 0, clear = 0, clearRmse = 0;
+    for (const auto& [cell, seen] : test::PaintedSky(scene, 2000).byCell(scene, source.grid())) {
+      const double cover = seen.cover();
+      if (wanted.contains(cell))
+        full += 1, fullRmse += (1 - cover) * (1 - cover);
+      else
+        clear += 1, clearRmse += cover * cover;
+    }
+    EXPECT_LT(std::sqrt(fullRmse / full), 0.05) << base::name(genus);
+    EXPECT_LT(std::sqrt(clearRmse / clear), 0.12) << base::name(genus);
+  }
+}
+
 TEST(Conservation, LayersOverlapByChance) {
   test::MadeSource source(10, 44, 0.8, 4, 4);
   field::StatedLayer low = layerOf(base::Genus::Stratocumulus, 0.5f),

@@ -49,9 +49,10 @@ TEST(Quantity, TheOrderOfTheLayersDoesNotMatter) {
   const test::MadeSource source = sky(test::cumulusLayer());
   std::vector<field::Layer> backwards = test::MadeTable::layersOf(source);
   std::reverse(backwards.begin(), backwards.end());
-  const Options options = test::usualOptions(50'000);
-  EXPECT_EQ(placesOf(test::MadeTable(source, options, backwards).table),
-            placesOf(test::MadeTable(source, options).table));
+  Options options = test::usualOptions(50'000);
+  for (options.seed = 1; options.seed < 4; ++options.seed)
+    EXPECT_EQ(placesOf(test::MadeTable(source, options, backwards).table),
+              placesOf(test::MadeTable(source, options).table));
 }
 
 TEST(Quantity, ClearCellsHaveNoClouds) {

@@ -34,7 +34,7 @@ TEST(Size, HeapsAreOfManySizesMostlySmall) {
   for (const field::Cloud& cloud : sky.table.clouds) {
     widths.insert(cloud.widthMeters);
     small += cloud.widthMeters < mean;
-    EXPECT_GT(cloud.widthMeters, mean / 12);  // where only a small one still fits
+    EXPECT_GT(cloud.widthMeters, mean / 15);  // the smallest, drawn as narrow as one may be where only that fits
     EXPECT_LT(cloud.widthMeters, 3 * mean);
   }
   EXPECT_GT(widths.size(), sky.table.clouds.size() / 2);
