@@ -10,6 +10,7 @@
 
 #include "field/overlap.hpp"
 #include "pipeline/archetype.hpp"
+#include "pipeline/misfit.hpp"
 #include "scene/scene.hpp"
 
 namespace cloudgen::pipeline {
@@ -25,28 +26,13 @@ constexpr std::size_t kTrials = 12;
 constexpr double kNarrowestOfMore = 0.25;
 /// A layer that shows less than this share of its optical depth lacks a cloud.
 constexpr double kLittleWater = 0.7;
-/// Weight of the cover of all layers together, beside that of each.
-constexpr double kWeightOfAll = 0.5;
-/// Weight of the mean error of the whole sky, squared, beside the mean of the squared errors of its cells:
-/// errors of cells that all have one sign make a bias.
-constexpr double kWeightOfMean = 20, kToleratedMean = 0.01;
-/// Weight of what optical depth lacks or is too much, and of what strays in, as a squared error of cover.
-constexpr double kWeightOfDepth = 0.6, kWeightOfStray = 0.2;
-constexpr double kFullCover = 0.985, kNear = 0.01;
-/// Weight of a full sheet: a gap in it is seen sooner than one among many.
-constexpr double kWeightOfFull = 4;
+constexpr double kNear = 0.01;
 
 /// A candidate that stands.
 struct Taken {
   std::uint32_t candidate = 0;
   Stamp stamp;
   double share = 0, next = 0;  ///< of the layer's water, m2; and what it comes to after balancing
-};
-
-/// Covered pixels of the whole sky beyond those that are wanted: of a genus, of all.
-struct Surplus {
-  std::array<double, base::kGenusCount> ofGenus{};
-  double ofAll = 0;
 };
 
 /// The state of a layer while its clouds are found.
@@ -67,8 +53,6 @@ std::uint64_t mixed(std::uint64_t x) {  // SplitMix64 (Steele et al. 2014)
   return x ^ (x >> 31);
 }
 
-double squared(double x) { return x * x; }
-
 class Fitting {
  public:
   Fitting(const CandidateContext& context, std::span<const std::uint32_t> cells,
@@ -76,15 +60,14 @@ class Fitting {
       : context_(context),
         layers_(layers),
         footprints_(footprints),
-        canvas_(context.grid, context.frame, cells, layers, pixelMeters) {
-    wantedOfAll_.assign(canvas_.cells().size(), 0);
-    for (const PaintedCell& cell : canvas_.cells()) pixels_ += cell.pixels;
+        canvas_(context.grid, context.frame, cells, layers, pixelMeters),
+        misfit_(canvas_, layers) {
     gather();
   }
 
   std::vector<FittedCloud> run() {
     for (Filling& filling : fillings_) fill(filling);
-    allAreFilled_ = true;
+    misfit_.judgeTheWholeSky();
     for (int round = 0; round < kRounds; ++round) {
       shareOutWater();
       balanceOpticalDepth(round + 1 < kRounds ? kBalancings : kLastBalancings);
@@ -183,72 +166,9 @@ class Fitting {
            (recipe.form == shape::Form::Tower && aspect < kTowerAspect);
   }
 
-  /// How much nearer (below 0) or further the stroke takes the canvas to what is wanted.
-  double changeOfError(const Stroke& stroke) const {
-    double change = changeOfMeanError(changeOfSurplus(stroke));
-    for (const Stroke::Touched& touched : stroke.touched) {
-      const PaintedCell& cell = canvas_.cells()[touched.cell];
-      const PaintedLayer& layer = canvas_.layers()[touched.layer];
-      const double wanted = wantedOfAll_[touched.cell];
-      const auto weightOf = [&](double pixels) {
-        return pixels >= kFullCover * cell.pixels ? kWeightOfFull : 1;
-      };
-      double here =
-          kWeightOfAll * weightOf(wanted) *
-          (squared(cell.covered + touched.coveredByAnyChange - wanted) - squared(cell.covered - wanted));
-      if (layer.covers)
-        here += weightOf(layer.wantedCover) *
-                (squared(layer.covered + touched.coveredChange - layer.wantedCover) -
-                 squared(layer.covered - layer.wantedCover));
-      change += here / cell.pixels;
-      change += changeOfDepth(cell, layer, touched.opticalDepth);
-    }
-    return change;
-  }
-
-  /// Optical depth that lacks or is too much, as a share of the cell's. What strays in takes base and top of
-  /// a cell with it as soon as it is more than a twentieth.
-  double changeOfDepth(const PaintedCell& cell, const PaintedLayer& layer, double opticalDepth) const {
-    const double whole = cell.wantedOpticalDepth;
-    if (!allAreFilled_ || !(whole > 0)) return 0;
-    const bool astray = layer.wantedOpticalDepth == 0;
-    const auto harm = [&](double depth) {
-      const double error = squared((depth - layer.wantedOpticalDepth) / whole);
-      return astray ? kWeightOfStray * error / (error + squared(field::kBorderShare))
-                    : kWeightOfDepth * error / (error + 1);
-    };
-    return cell.pixels * (harm(layer.opticalDepth + opticalDepth) - harm(layer.opticalDepth));
-  }
-
-  /// What stands astray counts for the genus that it strays from.
-  static Surplus changeOfSurplus(const Stroke& stroke) {
-    Surplus change;
-    for (const Stroke::Touched& touched : stroke.touched) {
-      change.ofAll += touched.coveredByAnyChange;
-      change.ofGenus[static_cast<std::size_t>(stroke.genus)] += touched.coveredChange;
-    }
-    return change;
-  }
-
-  double changeOfMeanError(const Surplus& change) const {
-    if (!allAreFilled_) return 0;
-    // Squared up to what is tolerated, no steeper beyond: or one genus that cannot but cover too much would
-    // be driven out where it lacks.
-    const auto harm = [&](double surplus) {
-      const double tolerated = kToleratedMean * pixels_, error = std::abs(surplus);
-      return error < tolerated ? squared(error) : tolerated * (2 * error - tolerated);
-    };
-    double sum = kWeightOfAll * (harm(surplus_.ofAll + change.ofAll) - harm(surplus_.ofAll));
-    for (std::size_t g = 0; g < change.ofGenus.size(); ++g)
-      sum += harm(surplus_.ofGenus[g] + change.ofGenus[g]) - harm(surplus_.ofGenus[g]);
-    return kWeightOfMean * sum / pixels_;
-  }
-
   void paint() {
     canvas_.paint(stroke_);
-    const Surplus change = changeOfSurplus(stroke_);
-    surplus_.ofAll += change.ofAll;
-    for (std::size_t g = 0; g < change.ofGenus.size(); ++g) surplus_.ofGenus[g] += change.ofGenus[g];
+    misfit_.note(stroke_);
   }
 
   /// Takes a candidate at the width that brings the canvas nearest to what is wanted, if any does.
@@ -262,7 +182,7 @@ class Fitting {
       if (isTooNarrow(context_.options.recipes.of(layer), filling.candidates.list[number], share)) break;
       const Stamp stamp = stampOf(layer, filling.candidates.list[number], share);
       canvas_.brush(stamp, 1, stroke_);
-      const double change = changeOfError(stroke_);
+      const double change = misfit_.changeBy(stroke_);
       if (!best ? change < 0 || (sheet && change <= 0) : change < least) best = stamp, least = change;
       // Narrower ones come in question only where this one covers too much.
       if (best && ownChange(filling) + painted.covered <= painted.wantedCover) break;
@@ -290,7 +210,7 @@ class Fitting {
       const Stamp stamp = stampOf(layer, candidate, share);
       if (best && mostHeld(recipeOf(filling), candidate, stamp) < water) break;
       canvas_.brush(stamp, 1, stroke_);
-      const double change = changeOfError(stroke_);
+      const double change = misfit_.changeBy(stroke_);
       if (!best || change < least) best = stamp, least = change;
     }
     accept(filling, number, *best);
@@ -333,7 +253,7 @@ class Fitting {
     const PaintedCell& cell = canvas_.cells()[filling.cell];
     const PaintedLayer& painted = canvas_.layers()[filling.painted];
     if (cell.pixels == 0) return;
-    wantedOfAll_[filling.cell] = cell.pixels * coverDownTo(filling);
+    misfit_.want(filling.cell, cell.pixels * coverDownTo(filling));
     coveredBefore_ = cell.covered;
     for (auto i = static_cast<std::uint32_t>(filling.candidates.list.size()); i-- > 0;)
       (canvas_.coveredByOthers(filling.candidates.list[i].scenePlace, painted) ? filling.shaded
@@ -368,7 +288,7 @@ class Fitting {
   std::optional<std::uint32_t> nextOf(Filling& filling) {
     const PaintedCell& cell = canvas_.cells()[filling.cell];
     const PaintedLayer& painted = canvas_.layers()[filling.painted];
-    const double openWanted = wantedOfAll_[filling.cell] - cell.covered;
+    const double openWanted = misfit_.wantedOfAll(filling.cell) - cell.covered;
     const double wanted = painted.wantedCover - painted.covered;
     const bool open =
         !filling.open.empty() &&
@@ -433,7 +353,7 @@ class Fitting {
         if (share < kNarrowestOfMore || isTooNarrow(recipeOf(filling), *candidate, share)) break;
         const Stamp stamp = stampOf(layer, *candidate, share);
         canvas_.brush(stamp, 1, stroke_);
-        const double change = changeOfError(stroke_);
+        const double change = misfit_.changeBy(stroke_);
         if (change < least) best = stamp, least = change, bestCandidate = *candidate;
       }
     }
@@ -449,18 +369,18 @@ class Fitting {
     const PaintedLayer& painted = canvas_.layers()[filling.painted];
     const double near = kNear * cell.pixels;
     return std::abs(painted.covered - painted.wantedCover) <= near &&
-           std::abs(cell.covered - wantedOfAll_[filling.cell]) <= near;
+           std::abs(cell.covered - misfit_.wantedOfAll(filling.cell)) <= near;
   }
 
   void redraw(Filling& filling, std::size_t i) {
     const Stamp was = filling.taken[i].stamp;
     const bool tooFarOut = strays(was);
     canvas_.brush(was, -1, stroke_);
-    const double change = changeOfError(stroke_);
+    const double change = misfit_.changeBy(stroke_);
     paint();
     // The others of its layer would hold its water: what they make of it is no reason to keep it.
-    const double asGiven = changeOfDepth(canvas_.cells()[filling.cell], canvas_.layers()[filling.painted],
-                                         -ownDepthChange(filling));
+    const double asGiven = misfit_.changeOfDepth(canvas_.cells()[filling.cell],
+                                                 canvas_.layers()[filling.painted], -ownDepthChange(filling));
     Candidate& candidate = filling.candidates.list[filling.taken[i].candidate];
     const shape::Recipe& recipe = recipeOf(filling);
     const field::Layer& layer = layers_[filling.layer];
@@ -479,7 +399,7 @@ class Fitting {
         if (share < 1 && !holdsItsWater(other)) break;
         hold(other, was.extinctionArea);
         canvas_.brush(other, 1, stroke_);
-        const double error = changeOfError(stroke_);
+        const double error = misfit_.changeBy(stroke_);
         if (error < least) best = other, least = error, bestCandidate = here;
       }
     };
@@ -532,8 +452,8 @@ class Fitting {
       // knots.
       if (filling.candidates.everyCell && recipeOf(filling).sheet)
         for (Taken& taken : filling.taken)
-          taken.stamp.extinctionArea =
-              filling.candidates.list[taken.candidate].opticalDepth * squared(taken.stamp.widthMeters);
+          taken.stamp.extinctionArea = filling.candidates.list[taken.candidate].opticalDepth *
+                                       taken.stamp.widthMeters * taken.stamp.widthMeters;
       double whole = 0;
       for (const Taken& taken : filling.taken) whole += taken.stamp.extinctionArea;
       const double wanted =
@@ -587,11 +507,7 @@ class Fitting {
 
   void repaint() {
     canvas_.clear();
-    surplus_ = {};
-    for (std::size_t c = 0; c < canvas_.cells().size(); ++c) surplus_.ofAll -= wantedOfAll_[c];
-    for (const PaintedLayer& layer : canvas_.layers())
-      if (layer.covers && layer.wantedCover > 0)
-        surplus_.ofGenus[static_cast<std::size_t>(layers_[layer.layer].genus)] -= layer.wantedCover;
+    misfit_.restart();
     for (const Filling& filling : fillings_)
       for (const Taken& taken : filling.taken) {
         canvas_.brush(taken.stamp, 1, stroke_);
@@ -603,10 +519,7 @@ class Fitting {
   std::span<const field::Layer> layers_;
   FootprintBook& footprints_;
   Canvas canvas_;
-  std::vector<double> wantedOfAll_;  ///< pixels, of the layers filled so far
-  double pixels_ = 0;                ///< of all cells
-  bool allAreFilled_ = false;
-  Surplus surplus_;
+  Misfit misfit_;
   std::vector<Filling> fillings_;
   int coveredBefore_ = 0;
   Stroke stroke_;
