@@ -448,9 +448,9 @@ class Fitting {
   /// The clouds of each layer hold what the layer holds; those that stand for many cells keep what they have.
   void shareOutWater() {
     for (Filling& filling : fillings_) {
-      // Elements of a sheet that were drawn narrower leave what they held to the others, or they would be
-      // knots.
-      if (filling.candidates.everyCell && recipeOf(filling).sheet)
+      // Elements of a full sheet that were drawn narrower leave what they held to the others, or they would
+      // be knots.
+      if (filling.candidates.everyCell && isFullSheet(filling))
         for (Taken& taken : filling.taken)
           taken.stamp.extinctionArea = filling.candidates.list[taken.candidate].opticalDepth *
                                        taken.stamp.widthMeters * taken.stamp.widthMeters;
