@@ -150,7 +150,9 @@ Candidates candidatesOf(const CandidateContext& context, const field::Layer& lay
 bool moveTo(const CandidateContext& context, const field::Layer& layer, const glm::dvec2& scenePlace,
             Candidate& candidate) {
   const glm::dvec3 geo = context.frame.toGeographic({scenePlace.x, 0, scenePlace.y});
-  if (!context.frame.box().contains(geo.x, geo.y)) return false;
+  // Beyond the edge of the globe's map there is no place at all.
+  if (!std::isfinite(geo.x) || !std::isfinite(geo.y) || !context.frame.box().contains(geo.x, geo.y))
+    return false;
   candidate.place = {geo.x, geo.y};
   candidate.scenePlace = scenePlace;
   candidate.yawStep = yawStepOf(layer, candidate.number, candidate.place, context.options, context.frame);
