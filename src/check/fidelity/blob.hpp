@@ -23,7 +23,9 @@ struct Blob {
   std::array<float, 6> shape{};
   /// Of a volume its extinction integrated over space, m2; of a card the optical depth of its centre.
   float strength = 0;
-  float opacity = 0;        ///< of its centre, as viewers blend it
+  float opacity = 0;  ///< of its centre, as viewers blend it
+  /// Of a card: deviations of what it stands for, to those of its sprite. Its extinction is the same.
+  float narrowing = 1;
   std::uint32_t pivot = 0;  ///< of a turning card: index among the scene's pivots
   BlobKind kind = BlobKind::Volume;
   bool front = true, back = true;  ///< of a card: which faces are drawn
@@ -34,6 +36,8 @@ struct Blob {
 
 /// Half-side of a card, in standard deviations of its sprite: there it ends.
 inline constexpr float kCardReach = 2.2f;
+/// Of the Gaussian of a sprite within the border of its card: erf(2.2 / sqrt 2) squared.
+inline constexpr float kWithinCard = 0.9451f;
 
 /// A Gaussian blob with half-axes of one standard deviation (columns) whose optical depth along the shortest
 /// of them is `frontalOpticalDepth`.

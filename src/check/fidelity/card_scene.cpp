@@ -78,6 +78,7 @@ class Walk {
   void add(const Card& card, const Pose& pose) {
     Blob blob = cardBlob(pointOf(pose.matrix, card.center), vectorOf(pose.matrix, card.right) / kCardReach,
                          vectorOf(pose.matrix, card.up) / kCardReach, card.opticalDepth);
+    blob.narrowing = card.narrowing;
     blob.front = card.front;
     blob.back = card.back;
     if (pose.pivot) {

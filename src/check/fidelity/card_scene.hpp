@@ -16,6 +16,7 @@ namespace cloudgen::check {
 struct Card {
   glm::vec3 center{0}, right{0}, up{0};  ///< half-sides; its front looks along right x up
   float opticalDepth = 0;                ///< of the centre
+  float narrowing = 1;                   ///< Blob::narrowing
   bool front = false, back = false;      ///< which faces are drawn
 };
 

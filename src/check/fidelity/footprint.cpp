@@ -72,7 +72,9 @@ Footprint footprintOfCard(const Blob& blob, const glm::vec3& center, const glm::
   const float shown = glm::dot(normal, view.toViewer);
   if (!(std::abs(shown) > kEdgeOn * glm::length(normal)) || !(shown > 0 ? blob.front : blob.back)) return out;
   const glm::mat2 axes(castVector(right, view), castVector(up, view));
-  out.opticalDepth = blob.strength;
+  out.narrowing = blob.narrowing;
+  out.opticalDepth =
+      blob.narrowing < 1 ? blob.strength * kWithinCard / (blob.narrowing * blob.narrowing) : blob.strength;
   out.toDeviations = glm::inverse(axes);
   out.heightSlope = glm::vec2(right.y, up.y) * out.toDeviations;
   return out;

@@ -40,20 +40,27 @@ struct Footprint {
   glm::mat2 toDeviations{1};  ///< from metres off it to standard deviations
   float opticalDepth = 0;     ///< of the ray through the centre
   float opacity = 0;          ///< that viewers give its centre
+  float narrowing = 1;        ///< deviations of its optical depth to those of its opacity
   float reach = 4;            ///< deviations beyond which it adds nothing
   bool square = false;        ///< cut off along two axes, as a card is, and not all around
   float height = 0;           ///< mean height of what a ray through the centre meets
   glm::vec2 heightSlope{0};   ///< metres up for a metre in x and in z
   float heightDeviation = 0;  ///< standard deviation of height along a ray
 
-  /// The optical depth that it adds so many metres off its place.
-  float opticalDepthAt(const glm::vec2& off) const {
+  /// Share of the opacity of its centre that it has so many metres off its place.
+  float opacityShareAt(const glm::vec2& off) const {
     const glm::vec2 deviations = toDeviations * off;
     const float distance = glm::dot(deviations, deviations);
     const bool met = square ? std::abs(deviations.x) <= reach && std::abs(deviations.y) <= reach
                             : distance <= reach * reach;
-    return met ? opticalDepth * std::exp(-0.5f * distance) : 0.0f;
+    return met ? std::exp(-0.5f * distance) : 0.0f;
   }
+  /// The optical depth that it adds where it has such a share.
+  float opticalDepthOf(float opacityShare) const {
+    return opticalDepth *
+           (narrowing < 1 ? std::pow(opacityShare, 1 / (narrowing * narrowing)) : opacityShare);
+  }
+  float opticalDepthAt(const glm::vec2& off) const { return opticalDepthOf(opacityShareAt(off)); }
   /// Half the sides of the box around what it covers.
   glm::vec2 halfSides() const;
 };

@@ -99,12 +99,12 @@ ColumnView Imager::look(std::span<const glm::dvec2> rays, const ModelColumn& col
     for (std::uint32_t m = start_[bin]; m < start_[bin + 1]; ++m) {
       const Footprint& blob = footprints_[members_[m]];
       const glm::vec2 off = glm::vec2(place - glm::dvec2(blob.place));
-      const double depth = blob.opticalDepthAt(off);
-      if (!(depth > 0)) continue;
+      const float opacityShare = blob.opacityShareAt(off);
+      if (!(opacityShare > 0)) continue;
+      const double depth = blob.opticalDepthOf(opacityShare);
       const double height = blob.height + static_cast<double>(blob.heightSlope.x) * off.x +
                             static_cast<double>(blob.heightSlope.y) * off.y;
-      const double drawn =
-          -std::log1p(-std::min(kMostOpaque, blob.opacity * static_cast<float>(depth / blob.opticalDepth)));
+      const double drawn = -std::log1p(-std::min(kMostOpaque, blob.opacity * opacityShare));
       seen.opticalDepth += depth;
       ray.drawn += drawn;
       for (std::size_t border = 0; border < 2; ++border)

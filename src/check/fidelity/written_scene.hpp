@@ -44,8 +44,8 @@ WrittenScene readSplatScene(std::string_view bytes, const std::string& where);
 /// Reads scene.splats.ply as readSplatScene does. Throws InputError as readPlySplats does.
 WrittenScene readPlyScene(const std::filesystem::path& file);
 
-/// Reads scene.cgpack: the puffs of the first level of every cloud that is there so many seconds after the valid time,
-/// whose optical depths are written as such. Throws InputError where validatePack finds an error.
+/// Reads scene.cgpack: the puffs of the first level of every cloud that is there so many seconds after the
+/// valid time, whose optical depths are written as such. Throws InputError where validatePack finds an error.
 WrittenScene readPackScene(const std::filesystem::path& file, double seconds = 0);
 
 /// The same from bytes; `where` names them in messages.

@@ -21,6 +21,7 @@ constexpr int kMostDepth = 400;  ///< of the graph, USE followed
 constexpr std::size_t kMostFiles = 10'000;
 constexpr int kMostInlines = 8;  ///< one within another
 constexpr std::uint32_t kNone = UINT32_MAX;
+constexpr float kMostNarrow = 0.3f;  ///< of what a card may be the widened picture
 
 std::string_view value(Attributes attributes, std::string_view name) {
   for (const XmlAttribute& attribute : attributes)
@@ -122,7 +123,7 @@ class Reader {
       colors_ = floatsOf(value(attributes, "color"));
     } else if (name == "Coordinate") {
       points_ = floatsOf(value(attributes, "point"));
-    } else if (name == "MetadataFloat" && value(attributes, "name") == "optical_depth") {
+    } else if (name == "MetadataFloat" && value(attributes, "name") == "optical_depth narrowing") {
       stated_ = floatsOf(value(attributes, "value"));
     } else if (name == "MetadataString" && value(attributes, "name") == "id genus rule") {
       record(stringsOf(value(attributes, "value")));
@@ -247,7 +248,10 @@ class Reader {
       card.center = 0.5f * (corner(0) + corner(2));
       card.right = 0.5f * (corner(1) - corner(0));
       card.up = 0.5f * (corner(3) - corner(0));
-      card.opticalDepth = opticalDepthOf(colors_[16 * i + 3], i < stated_.size() ? stated_[i] : 0);
+      const bool isStated = 2 * i + 1 < stated_.size();
+      card.opticalDepth = opticalDepthOf(colors_[16 * i + 3], isStated ? stated_[2 * i] : 0);
+      if (isStated && card.opticalDepth == stated_[2 * i])
+        card.narrowing = std::clamp(stated_[2 * i + 1], kMostNarrow, 1.0f);
     }
     for (std::size_t t = 0; t < indices_.size(); t += 3) {
       const std::int64_t a = indices_[t], b = indices_[t + 1], c = indices_[t + 2];

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "base/text.hpp"
 
@@ -13,6 +14,18 @@ namespace {
 constexpr int kShades = 4;
 int shadeOf(const scene::Instance& instance) {
   return static_cast<int>(std::lround((1 - instance.sunlight) * (kShades - 1)));
+}
+
+/// Steps of Instance::opticalDepthFactor, as powers of this.
+constexpr float kDepthStep = 1.09f;
+int depthStepOf(const scene::Instance& instance) {
+  return static_cast<int>(std::lround(std::log(instance.opticalDepthFactor) / std::log(kDepthStep)));
+}
+
+/// What clouds of its name share.
+CloudLook lookOf(const scene::Instance& instance) {
+  return {instance.lit, 1 - static_cast<float>(shadeOf(instance)) / (kShades - 1),
+          std::pow(kDepthStep, static_cast<float>(depthStepOf(instance)))};
 }
 
 /// A cloud is drawn in full up to about so many times its own size away, at least and at most.
@@ -94,17 +107,17 @@ void CloudNodes::record(const scene::CloudRecord& cloud) {
 
 std::string CloudNodes::nameOf(const scene::Instance& instance) const {
   const scene::LitArchetype& lit = scene_.lit[instance.lit];
-  const int shade = shadeOf(instance);
-  return fmt::format("{}_yaw{}{}", scene_.archetypes[lit.archetype].name, lit.yawStep,
-                     shade > 0 ? fmt::format("_shade{}", shade) : "");
+  const int shade = shadeOf(instance), depth = depthStepOf(instance);
+  return fmt::format("{}_yaw{}{}{}", scene_.archetypes[lit.archetype].name, lit.yawStep,
+                     shade > 0 ? fmt::format("_shade{}", shade) : "",
+                     depth != 0 ? fmt::format("_depth{}{}", depth < 0 ? "m" : "", std::abs(depth)) : "");
 }
 
 void CloudNodes::parts(const scene::Instance& instance, CloudDetail detail, const std::string& def) {
   const base::Genus genus = scene_.archetypes[scene_.lit[instance.lit].archetype].genus;
-  const float sunlight = 1 - static_cast<float>(shadeOf(instance)) / (kShades - 1);
   nodes_.open("Group", "children", def);
-  for (const CloudPart& part : partsOf(scene_, instance.lit, sunlight, detail,
-                                       coverings_.of(instance.lit, detail), shapes_.atlas(genus))) {
+  for (const CloudPart& part :
+       partsOf(scene_, lookOf(instance), detail, coverings_.of(instance.lit, detail), shapes_.atlas(genus))) {
     if (!part.turns) {
       shapes_.write(genus, part.mesh);
       continue;

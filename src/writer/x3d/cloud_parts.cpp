@@ -2,6 +2,7 @@
 #include "writer/x3d/cloud_parts.hpp"
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
 #include "base/thread.hpp"
@@ -22,58 +23,114 @@ struct Drawn {
 };
 
 /// The puffs of a lit archetype, turned by its yaw.
-std::vector<LitPuff> turned(const scene::Scene& scene, const scene::LitArchetype& lit, float sunlight,
+std::vector<LitPuff> turned(const scene::Scene& scene, const CloudLook& look,
                             std::span<const shape::Puff> puffs, std::span<const light::PuffLight> lights) {
+  const scene::LitArchetype& lit = scene.lit[look.lit];
   const glm::quat turn = glm::angleAxis(scene::yawRadians(lit.yawStep), glm::vec3(0, 1, 0));
-  const glm::vec3 dimming = light::dimming(sunlight, scene.sun.color, scene.sky);
+  const glm::vec3 dimming = light::dimming(look.sunlight, scene.sun.color, scene.sky);
   std::vector<LitPuff> out;
   for (std::size_t i = 0; i < puffs.size(); ++i) {
     LitPuff one{puffs[i], dimming * (i < lights.size() ? lights[i].color : glm::vec3(1))};
     one.puff.center = turn * one.puff.center;
     one.puff.rotation = turn * one.puff.rotation;
+    one.puff.extinctionPerMeter *= look.opticalDepthFactor;
     out.push_back(one);
   }
   return out;
 }
 
-std::vector<LitPuff> litPuffs(const scene::Scene& scene, const scene::LitArchetype& lit, float sunlight,
-                              CloudDetail detail) {
+std::vector<LitPuff> litPuffs(const scene::Scene& scene, const CloudLook& look, CloudDetail detail) {
+  const scene::LitArchetype& lit = scene.lit[look.lit];
   const scene::Archetype& archetype = scene.archetypes[lit.archetype];
   if (detail == CloudDetail::Full || archetype.farPuffs.empty())
-    return turned(scene, lit, sunlight, archetype.puffs, lit.puffs);
-  return turned(scene, lit, sunlight, archetype.farPuffs, lit.farPuffs);
+    return turned(scene, look, archetype.puffs, lit.puffs);
+  return turned(scene, look, archetype.farPuffs, lit.farPuffs);
+}
+
+/// Heights between which a share of the extinction lies.
+struct Extent {
+  double lower = 0, upper = 0;
+  double height() const { return upper - lower; }
+};
+
+constexpr double kBorderShare = 0.05, kEndShare = 0.01;
+
+std::vector<shape::Puff> puffsOf(const std::vector<LitPuff>& members) {
+  std::vector<shape::Puff> puffs;
+  for (const LitPuff& lit : members) puffs.push_back(lit.puff);
+  return puffs;
+}
+
+Extent extentOf(std::span<const shape::Puff> puffs, double beyond) {
+  return {shape::heightOfShare(puffs, beyond), shape::heightOfShare(puffs, 1 - beyond)};
+}
+
+/// Of the same puffs without thickness.
+Extent flatExtentOf(const std::vector<LitPuff>& members) {
+  std::vector<shape::Puff> puffs = puffsOf(members);
+  for (shape::Puff& puff : puffs) {
+    const auto extinction = static_cast<float>(shape::extinctionArea(puff));
+    puff.sigma = glm::vec3(1e-3f), puff.extinctionPerMeter = extinction;
+  }
+  return extentOf(puffs, kBorderShare);
+}
+
+float heightDeviation(const shape::Puff& puff) {
+  const glm::mat3 axes = glm::mat3_cast(puff.rotation);
+  return glm::length(puff.sigma * glm::vec3(axes[0].y, axes[1].y, axes[2].y));
+}
+
+/// Puffs that lie in one plane stand alternately on the lower and the upper side of it; where they are few,
+/// each is drawn on both.
+void standOnBothSides(std::vector<LitPuff>& members) {
+  constexpr float kAway = 1.5f;
+  constexpr std::size_t kFew = 6;
+  const auto moved = [&](LitPuff lit, bool up) {
+    lit.puff.center.y += (up ? kAway : -kAway) * heightDeviation(lit.puff);
+    return lit;
+  };
+  if (members.size() <= kFew) {
+    std::vector<LitPuff> both;
+    for (LitPuff& lit : members) {
+      lit.puff.extinctionPerMeter *= 0.5f;
+      for (const bool up : {false, true}) both.push_back(moved(lit, up));
+    }
+    members = std::move(both);
+    return;
+  }
+  // Neighbours go different ways: every place has some of both.
+  const shape::Bounds bounds = shape::boundsOf(puffsOf(members), 0);
+  const int axis = bounds.upper.x - bounds.lower.x > bounds.upper.z - bounds.lower.z ? 0 : 2;
+  std::stable_sort(members.begin(), members.end(), [&](const LitPuff& a, const LitPuff& b) {
+    return a.puff.center[axis] < b.puff.center[axis];
+  });
+  for (std::size_t i = 0; i < members.size(); ++i) members[i] = moved(members[i], i % 2 == 1);
 }
 
 /// Quads have no thickness: they stand further apart, so that they begin and end where the puffs do.
 void spreadAsFlat(std::vector<LitPuff>& members) {
-  constexpr double kBorderShare = 0.05, kEndShare = 0.01;
-  std::vector<shape::Puff> puffs;
-  for (const LitPuff& lit : members) puffs.push_back(lit.puff);
-  const double lower = shape::heightOfShare(puffs, kBorderShare),
-               upper = shape::heightOfShare(puffs, 1 - kBorderShare),
-               lowest = shape::heightOfShare(puffs, kEndShare),
-               highest = shape::heightOfShare(puffs, 1 - kEndShare);
-  for (shape::Puff& puff : puffs) puff.sigma = glm::vec3(1e-3f), puff.extinctionPerMeter = 1;
-  for (std::size_t i = 0; i < members.size(); ++i)
-    puffs[i].extinctionPerMeter = static_cast<float>(shape::extinctionArea(members[i].puff));
-  const double flatLower = shape::heightOfShare(puffs, kBorderShare),
-               flatUpper = shape::heightOfShare(puffs, 1 - kBorderShare);
-  if (!(flatUpper - flatLower > 0.05 * (upper - lower))) return;  // all in one plane
-  const double stretch = std::min(3.0, (upper - lower) / (flatUpper - flatLower));
+  constexpr double kMostStretch = 1.5;  ///< more of it would tear single puffs out of the cloud
+  const std::vector<shape::Puff> puffs = puffsOf(members);
+  const Extent wanted = extentOf(puffs, kBorderShare), ends = extentOf(puffs, kEndShare);
+  Extent flat = flatExtentOf(members);
+  if (wanted.height() > kMostStretch * flat.height()) {
+    standOnBothSides(members);
+    flat = flatExtentOf(members);
+  }
+  if (!(flat.height() > 0.05 * wanted.height())) return;
+  const double stretch = std::min(kMostStretch, wanted.height() / flat.height());
   for (LitPuff& lit : members)
-    lit.puff.center.y = static_cast<float>(
-        std::clamp(0.5 * (lower + upper) + stretch * (lit.puff.center.y - 0.5 * (flatLower + flatUpper)),
-                   lowest, highest));
+    lit.puff.center.y = static_cast<float>(std::clamp(
+        0.5 * (wanted.lower + wanted.upper) + stretch * (lit.puff.center.y - 0.5 * (flat.lower + flat.upper)),
+        ends.lower, ends.upper));
 }
 
-std::vector<Drawn> drawnTogether(const scene::Scene& scene, std::uint32_t index, float sunlight,
-                                 CloudDetail detail) {
-  const scene::LitArchetype& lit = scene.lit[index];
+std::vector<Drawn> drawnTogether(const scene::Scene& scene, const CloudLook& look, CloudDetail detail) {
   const bool full = detail == CloudDetail::Full;
-  const auto puffs = litPuffs(scene, lit, sunlight, detail);
+  const auto puffs = litPuffs(scene, look, detail);
   std::vector<shape::Puff> bare;
   for (const LitPuff& puff : puffs) bare.push_back(puff.puff);
-  const std::span<const std::uint32_t> sections(scene.archetypes[lit.archetype].sectionStart);
+  const std::span<const std::uint32_t> sections(scene.archetypes[scene.lit[look.lit].archetype].sectionStart);
   std::vector<Drawn> all;
   for (Cluster& cluster : clustersOf(bare, full ? sections : sections.first(0), full ? kMostClusters : 1)) {
     Drawn drawn{std::move(cluster), {}};
@@ -90,11 +147,11 @@ QuadMesh quadsOf(Drawn& drawn, float covering, const image::SpriteAtlas& atlas) 
                              : crossedQuads(drawn.members, glm::vec3(0), atlas);
 }
 
-float coveringOf(const scene::Scene& scene, std::uint32_t lit, CloudDetail detail,
+float coveringOf(const scene::Scene& scene, const CloudLook& look, CloudDetail detail,
                  const image::SpriteAtlas& atlas) {
-  auto all = drawnTogether(scene, lit, 1, detail);
+  auto all = drawnTogether(scene, look, detail);
   std::vector<shape::Puff> puffs;
-  for (const LitPuff& one : litPuffs(scene, scene.lit[lit], 1, detail)) puffs.push_back(one.puff);
+  for (const LitPuff& one : litPuffs(scene, look, detail)) puffs.push_back(one.puff);
   const double wanted = shape::coveredSquareMeters(puffs);
   return shape::coveringThat(wanted, [&](float tried) {
     PlanOfQuads plan(puffs);
@@ -116,17 +173,17 @@ Coverings::Coverings(const scene::Scene& scene, const std::vector<image::SpriteA
   std::vector<unsigned char> wanted(scene.lit.size(), 0);
   for (std::size_t i = 0; i < scene.instances.size(); ++i) wanted[scene.instances[i].lit] |= full[i] ? 3 : 2;
   base::parallelFor(scene.lit.size(), [&](std::size_t i) {
-    const auto lit = static_cast<std::uint32_t>(i);
+    const CloudLook look{static_cast<std::uint32_t>(i)};
     const image::SpriteAtlas& atlas = image::atlasOf(atlases, scene.archetypes[scene.lit[i].archetype].genus);
-    if (wanted[i] & 1) full_[i] = coveringOf(scene, lit, CloudDetail::Full, atlas);
-    if (wanted[i] & 2) simple_[i] = coveringOf(scene, lit, CloudDetail::Simple, atlas);
+    if (wanted[i] & 1) full_[i] = coveringOf(scene, look, CloudDetail::Full, atlas);
+    if (wanted[i] & 2) simple_[i] = coveringOf(scene, look, CloudDetail::Simple, atlas);
   });
 }
 
-std::vector<CloudPart> partsOf(const scene::Scene& scene, std::uint32_t lit, float sunlight,
-                               CloudDetail detail, float covering, const image::SpriteAtlas& atlas) {
+std::vector<CloudPart> partsOf(const scene::Scene& scene, const CloudLook& look, CloudDetail detail,
+                               float covering, const image::SpriteAtlas& atlas) {
   std::vector<CloudPart> parts;
-  for (Drawn& drawn : drawnTogether(scene, lit, sunlight, detail)) {
+  for (Drawn& drawn : drawnTogether(scene, look, detail)) {
     const bool turns = drawn.cluster.turns;
     parts.push_back({turns, turns ? drawn.cluster.center : glm::vec3(0), quadsOf(drawn, covering, atlas)});
   }

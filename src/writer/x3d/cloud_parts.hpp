@@ -13,6 +13,13 @@ struct CloudPart {
   QuadMesh mesh;
 };
 
+/// What the clouds that share their quads have in common: the archetype under a heading, the share of the sun
+/// that other clouds leave it, and Instance::opticalDepthFactor.
+struct CloudLook {
+  std::uint32_t lit = 0;
+  float sunlight = 1, opticalDepthFactor = 1;
+};
+
 /// How much of a cloud is drawn as a node of its own.
 enum class CloudDetail : unsigned char {
   Full,   ///< all its puffs, in parts that turn where they are round
@@ -34,8 +41,8 @@ class Coverings {
   std::vector<float> full_, simple_;
 };
 
-/// A lit archetype turned by its yaw; `sunlight` is the share of the sun that other clouds leave it.
-std::vector<CloudPart> partsOf(const scene::Scene& scene, std::uint32_t lit, float sunlight,
-                               CloudDetail detail, float covering, const image::SpriteAtlas& atlas);
+/// A lit archetype turned by its yaw, at scale 1.
+std::vector<CloudPart> partsOf(const scene::Scene& scene, const CloudLook& look, CloudDetail detail,
+                               float covering, const image::SpriteAtlas& atlas);
 
 }  // namespace cloudgen::writer

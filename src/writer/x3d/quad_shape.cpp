@@ -112,7 +112,9 @@ void QuadShapes::shape(const Look& look, const QuadMesh& mesh, std::span<const s
       start = static_cast<std::int32_t>(points.size() / 3);
       const glm::vec4& box = quad.textureBox;
       hasOpaque = hasOpaque || isOpaque(quad);
+      // Alpha says of an opaque quad neither how dense the puff is nor how far it reaches within the quad.
       opticalDepths.push_back(isOpaque(quad) ? quad.opticalDepth : 0.0f);
+      opticalDepths.push_back(isOpaque(quad) ? 1 / quad.widening : 1.0f);
       append(points, quad.center - quad.right - quad.up);
       append(points, quad.center + quad.right - quad.up);
       append(points, quad.center + quad.right + quad.up);
@@ -136,8 +138,8 @@ void QuadShapes::shape(const Look& look, const QuadMesh& mesh, std::span<const s
   nodes_.integers(vrml97 ? "coordIndex" : "index", indices);
   if (hasOpaque && !vrml97) {
     nodes_.open("MetadataFloat", "metadata");
-    nodes_.string("name", "optical_depth");
-    nodes_.numbers("value", opticalDepths, 1, 1);
+    nodes_.string("name", "optical_depth narrowing");
+    nodes_.numbers("value", opticalDepths, 2, 2);
     nodes_.close();
   }
   if (!material) {

@@ -92,7 +92,7 @@ QuadMesh facingQuads(const std::vector<LitPuff>& puffs, const glm::vec3& origin,
     if (color.a < kFaintest) continue;
     mesh.faces.push_back(static_cast<std::uint32_t>(2 * mesh.quads.size()));
     mesh.quads.push_back({puff.center - origin, reach * axes[0], reach * axes[1],
-                          atlas.textureBox(puff.sprite % atlas.tiles()), color, drawnDepth});
+                          atlas.textureBox(puff.sprite % atlas.tiles()), color, drawnDepth, widening});
   }
   return mesh;
 }
@@ -121,7 +121,7 @@ QuadMesh crossedQuads(const std::vector<LitPuff>& puffs, const glm::vec3& origin
       if (std::abs(axes[right].y) > std::abs(axes[up].y)) std::swap(right, up);
       mesh.quads.push_back({lit.puff.center - origin, reach * s[right] * axes[right],
                             reach * s[up] * axes[up], atlas.textureBox(lit.puff.sprite % atlas.tiles()),
-                            color, drawnDepth});
+                            color, drawnDepth, widening});
     }
   }
   struct Face {

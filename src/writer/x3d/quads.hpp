@@ -21,6 +21,7 @@ struct Quad {
   glm::vec4 textureBox{0};               ///< u0, v0, u1, v1
   glm::vec4 color{1};                    ///< sRGB code values and opacity, 0..1
   float opticalDepth = 0;                ///< of the centre; what the opacity is made of
+  float widening = 1;                    ///< its deviations to those of its puff
 };
 
 /// Quads and the order in which their faces are drawn: 2 i for the front of quad i, 2 i + 1 for its back.

@@ -95,13 +95,34 @@ TEST(X3dScene, OpaqueCardsHideHowDenseTheyAre) {
 
 TEST(X3dScene, TheOpticalDepthBesideAnOpaqueCardCountsWhereItIsThatOpaque) {
   const auto told = [](double alpha, const std::string& stated) {
-    return read(card(kFront, alpha, true, "<MetadataFloat name='optical_depth' value='" + stated + "'/>"));
+    return read(
+        card(kFront, alpha, true, "<MetadataFloat name='optical_depth narrowing' value='" + stated + "'/>"));
   };
-  EXPECT_EQ(told(0.99999, "31.5").saturated, 0u);
-  EXPECT_FLOAT_EQ(told(0.99999, "31.5").blobs.front().strength, 31.5);
+  EXPECT_EQ(told(0.99999, "31.5 1").saturated, 0u);
+  EXPECT_FLOAT_EQ(told(0.99999, "31.5 1").blobs.front().strength, 31.5);
   // Halved in its opacity alone, or told of another thinner card: the eye decides.
-  EXPECT_NEAR(told(0.5, "31.5").blobs.front().strength, std::log(2), 1e-5);
-  EXPECT_NEAR(told(0.9, "0").blobs.front().strength, std::log(10), 1e-5);
+  EXPECT_NEAR(told(0.5, "31.5 1").blobs.front().strength, std::log(2), 1e-5);
+  EXPECT_NEAR(told(0.9, "0 1").blobs.front().strength, std::log(10), 1e-5);
+}
+
+TEST(X3dScene, WhatIsNarrowerThanItsOpaqueCardHasTheSameExtinctionAndCover) {
+  const auto cardOf = [](const std::string& stated) {
+    return seen(card(kFront, 0.99999, true,
+                     "<MetadataFloat name='optical_depth narrowing' value='" + stated + "'/>"))
+        .front();
+  };
+  const Footprint wide = cardOf("20 1"), narrow = cardOf("20 0.7");
+  const auto extinctionOf = [](const Footprint& footprint) {
+    double sum = 0;
+    for (int x = -30; x <= 30; ++x)
+      for (int y = -30; y <= 30; ++y) sum += footprint.opticalDepthAt({x, y});
+    return sum;
+  };
+  EXPECT_NEAR(extinctionOf(narrow), extinctionOf(wide), 0.01 * extinctionOf(wide));
+  EXPECT_GT(narrow.opticalDepthAt({0, 0}), 1.8 * wide.opticalDepthAt({0, 0}));
+  EXPECT_EQ(narrow.opacityShareAt({15, 5}), wide.opacityShareAt({15, 5}));
+  // No card is wider than a multiple of what it stands for.
+  EXPECT_GE(cardOf("20 0.001").narrowing, 0.3f);
 }
 
 /// Writes files into a folder of their own and reads the scene.x3d among them.
