@@ -88,7 +88,7 @@ Footprint footprintOfTurning(const Blob& blob, const Pivot& pivot, const View& v
       footprintOfCard(blob, pivot.place + turned(blob.center), turned(blob.right()), turned(blob.up()), view);
   out.height = pivot.place.y + pivot.scale * blob.center.y;
   out.heightSlope = glm::vec2(0);
-  out.heightDeviation = pivot.scale * std::hypot(blob.right().y, blob.up().y);
+  out.heightDeviation = blob.narrowing * pivot.scale * std::hypot(blob.right().y, blob.up().y);
   return out;
 }
 
