@@ -245,6 +245,7 @@ std::span<const Canvas::Sample> Canvas::samplesOf(const Stamp& stamp) {
 
 void Canvas::brush(const Stamp& stamp, float sign, Stroke& stroke) {
   stroke.genus = stamp.key.genus;
+  stroke.baseMeters = stamp.baseMeters;
   stroke.dabs.clear();
   stroke.touched.clear();
   const double whole = sign * stamp.extinctionArea / pixelSquareMeters(),

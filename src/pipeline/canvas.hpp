@@ -67,6 +67,7 @@ struct Stroke {
     double opticalDepth;
   };
   base::Genus genus = base::Genus::Cumulus;  ///< of the stamp
+  float baseMeters = 0;                      ///< of the stamp
   std::vector<Dab> dabs;
   std::vector<Touched> touched;
 };

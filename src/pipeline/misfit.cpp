@@ -14,9 +14,15 @@ constexpr double kWeightOfMean = 20, kToleratedMean = 0.01;
 /// Weight of what optical depth lacks or is too much, and of what strays in, as a squared error of cover.
 constexpr double kWeightOfDepth = 0.6, kWeightOfStray = 0.2;
 /// Weight of a full sheet: a gap in it is seen sooner than one among many.
-constexpr double kWeightOfFull = 4;
+constexpr double kWeightOfFull = 5.5;
 
 double squared(double x) { return x * x; }
+
+/// Low, middle or high, by its base.
+std::size_t rangeOf(double baseMeters) {
+  constexpr double kMiddleFrom = 2000, kHighFrom = 6000;
+  return baseMeters < kMiddleFrom ? 0 : baseMeters < kHighFrom ? 1 : 2;
+}
 
 }  // namespace
 
@@ -67,6 +73,7 @@ Misfit::Surplus Misfit::changeOfSurplus(const Stroke& stroke) {
   for (const Stroke::Touched& touched : stroke.touched) {
     change.ofAll += touched.coveredByAnyChange;
     change.ofGenus[static_cast<std::size_t>(stroke.genus)] += touched.coveredChange;
+    change.ofRange[rangeOf(stroke.baseMeters)] += touched.coveredChange;
   }
   return change;
 }
@@ -79,9 +86,14 @@ double Misfit::changeOfMeans(const Surplus& change) const {
     const double tolerated = kToleratedMean * pixels_, error = std::abs(surplus);
     return error < tolerated ? squared(error) : tolerated * (2 * error - tolerated);
   };
-  double sum = kWeightOfAll * (harm(surplus_.ofAll + change.ofAll) - harm(surplus_.ofAll));
-  for (std::size_t g = 0; g < change.ofGenus.size(); ++g)
-    sum += harm(surplus_.ofGenus[g] + change.ofGenus[g]) - harm(surplus_.ofGenus[g]);
+  const auto changeOf = [&](const auto& now, const auto& by) {
+    double sum = 0;
+    for (std::size_t i = 0; i < now.size(); ++i) sum += harm(now[i] + by[i]) - harm(now[i]);
+    return sum;
+  };
+  const double sum = kWeightOfAll * (harm(surplus_.ofAll + change.ofAll) - harm(surplus_.ofAll)) +
+                     0.5 * changeOf(surplus_.ofGenus, change.ofGenus) +
+                     0.5 * changeOf(surplus_.ofRange, change.ofRange);
   return kWeightOfMean * sum / pixels_;
 }
 
@@ -89,14 +101,17 @@ void Misfit::note(const Stroke& stroke) {
   const Surplus change = changeOfSurplus(stroke);
   surplus_.ofAll += change.ofAll;
   for (std::size_t g = 0; g < change.ofGenus.size(); ++g) surplus_.ofGenus[g] += change.ofGenus[g];
+  for (std::size_t r = 0; r < change.ofRange.size(); ++r) surplus_.ofRange[r] += change.ofRange[r];
 }
 
 void Misfit::restart() {
   surplus_ = {};
   for (const double wanted : wantedOfAll_) surplus_.ofAll -= wanted;
   for (const PaintedLayer& layer : canvas_.layers())
-    if (layer.covers && layer.wantedCover > 0)
+    if (layer.covers && layer.wantedCover > 0) {
       surplus_.ofGenus[static_cast<std::size_t>(layers_[layer.layer].genus)] -= layer.wantedCover;
+      surplus_.ofRange[rangeOf(layer.baseMeters)] -= layer.wantedCover;
+    }
 }
 
 }  // namespace cloudgen::pipeline

@@ -13,7 +13,8 @@ namespace cloudgen::pipeline {
 inline constexpr double kFullCover = 0.985;
 
 /// How far a canvas is from what its layers want: squared errors of the cover of each layer of each cell and
-/// of all together, of optical depth, of what strays in, and of the mean cover of each genus.
+/// of all together, of optical depth, of what strays in, and of the mean cover of each genus and of low,
+/// middle and high clouds.
 class Misfit {
  public:
   /// Of an empty canvas, which must outlive it; `layers` are those it was made of.
@@ -36,9 +37,11 @@ class Misfit {
   void restart();
 
  private:
-  /// Covered pixels of the whole sky beyond those that are wanted: of a genus, of all.
+  /// Covered pixels of the whole sky beyond those that are wanted: of a genus, of low, middle or high
+  /// clouds, of all.
   struct Surplus {
     std::array<double, base::kGenusCount> ofGenus{};
+    std::array<double, 3> ofRange{};
     double ofAll = 0;
   };
   static Surplus changeOfSurplus(const Stroke& stroke);

@@ -80,23 +80,14 @@ float heightDeviation(const shape::Puff& puff) {
   return glm::length(puff.sigma * glm::vec3(axes[0].y, axes[1].y, axes[2].y));
 }
 
-/// Puffs that lie in one plane stand alternately on the lower and the upper side of it; where they are few,
-/// each is drawn on both.
+/// Puffs that lie in one plane stand alternately on the lower and the upper side of it; one that is alone is
+/// drawn on both, mostly on the lower: two equal quads would cover less where their flanks meet others'.
 void standOnBothSides(std::vector<LitPuff>& members) {
-  constexpr float kAway = 1.5f;
-  constexpr std::size_t kFew = 6;
-  const auto moved = [&](LitPuff lit, bool up) {
-    lit.puff.center.y += (up ? kAway : -kAway) * heightDeviation(lit.puff);
-    return lit;
-  };
-  if (members.size() <= kFew) {
-    std::vector<LitPuff> both;
-    for (LitPuff& lit : members) {
-      lit.puff.extinctionPerMeter *= 0.5f;
-      for (const bool up : {false, true}) both.push_back(moved(lit, up));
-    }
-    members = std::move(both);
-    return;
+  constexpr float kAway = 1.5f, kUpperShare = 0.25f;
+  if (members.size() == 1) {
+    members.push_back(members.front());
+    members[0].puff.extinctionPerMeter *= 1 - kUpperShare;
+    members[1].puff.extinctionPerMeter *= kUpperShare;
   }
   // Neighbours go different ways: every place has some of both.
   const shape::Bounds bounds = shape::boundsOf(puffsOf(members), 0);
@@ -104,7 +95,8 @@ void standOnBothSides(std::vector<LitPuff>& members) {
   std::stable_sort(members.begin(), members.end(), [&](const LitPuff& a, const LitPuff& b) {
     return a.puff.center[axis] < b.puff.center[axis];
   });
-  for (std::size_t i = 0; i < members.size(); ++i) members[i] = moved(members[i], i % 2 == 1);
+  for (std::size_t i = 0; i < members.size(); ++i)
+    members[i].puff.center.y += (i % 2 ? kAway : -kAway) * heightDeviation(members[i].puff);
 }
 
 /// Quads have no thickness: they stand further apart, so that they begin and end where the puffs do.
