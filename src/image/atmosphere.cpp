@@ -29,6 +29,17 @@ double airMass(double elevationDegrees) {
                 0.50572 * std::pow(elevation + 6.07995, -1.6364));
 }
 
+/// Of the sky while the sun is just below the horizon: what ozone leaves of the light from high up.
+const glm::vec3 kTwilight(0.13f, 0.21f, 0.44f);
+
+double degreesBelow(double sunElevationDegrees) { return std::clamp(-sunElevationDegrees, 0.0, 18.0); }
+
+/// What of the light scattered once is left when the sun is down: the Earth's shadow rises opposite to the sun and
+/// overhead first.
+double outOfShadow(double degreesBelow, double sine, double azimuthCosine) {
+  return std::exp(-0.12 * degreesBelow * (0.7 * (1 - azimuthCosine) + 2.4 * sine));
+}
+
 double henyeyGreenstein(double cosine, double g) {
   return (1 - g * g) / (4 * kPi * std::pow(1 + g * g - 2 * g * cosine, 1.5));
 }
@@ -46,18 +57,20 @@ Atmosphere::Atmosphere(const light::Sun& sun, const light::Sky& sky, double eyeH
   // Photographs and eyes hold the sky brighter against white clouds than it is.
   // A camera set for a low sun's clouds would burn the sky about it out: less for both.
   gain_ = 2.1f * std::pow(exposure, 0.65f);
-  const auto night =
-      static_cast<float>(1 - base::smoothStep(kNightDegrees, kDuskDegrees, sun.elevationDegrees));
+  const double below = degreesBelow(sun.elevationDegrees);
+  const auto twilight = static_cast<float>((1 - base::smoothStep(-4, 1, sun.elevationDegrees)) * std::exp(-0.33 * below)),
+             night = static_cast<float>(1 - base::smoothStep(-9, -5, sun.elevationDegrees));
   table_.resize(static_cast<size_t>(kElevations) * kAzimuths);
   for (int row = 0; row < kElevations; ++row)
     for (int column = 0; column < kAzimuths; ++column) {
       const double up = static_cast<double>(row) / (kElevations - 1),
                    aside = static_cast<double>(column) / (kAzimuths - 1);
-      // The sky of the night comes through where the sun's has gone: that of light::Sky.
+      // The least light of the night, light::Sky's: dusk does not get darker than that.
       const double sine = std::max(0.004, up * up);
       const glm::vec3 ofNight = glm::mix(sky.zenith, sky.horizon, static_cast<float>(std::exp(-3.5 * sine)));
+      const auto ofTwilight = static_cast<float>(0.6 + 0.4 * sine) * kTwilight;
       table_[static_cast<size_t>(row) * kAzimuths + static_cast<size_t>(column)] =
-          computed(sine, kPi * aside * aside) + night * ofNight;
+          computed(sine, kPi * aside * aside) + twilight * ofTwilight + night * ofNight;
     }
 }
 
@@ -96,7 +109,8 @@ glm::vec3 Atmosphere::computed(double sine, double azimuthFromSun) const {
   // does.
   const double day = std::clamp((sunElevationDegrees_ - kDuskDegrees) / 9.0, 0.02, 1.0) *
                      base::smoothStep(kNightDegrees, kDuskDegrees, sunElevationDegrees_);
-  return gain_ * glm::vec3(day * kPi * sum / white);
+  const double shadow = outOfShadow(degreesBelow(sunElevationDegrees_), sine, std::cos(azimuthFromSun));
+  return gain_ * glm::vec3(day * kPi * shadow * sum / white);
 }
 
 glm::vec3 Atmosphere::sky(const glm::dvec3& direction) const {

@@ -45,7 +45,7 @@ CloudResponse responseOf(std::span<const shape::Puff> puffs, const CloudTransfer
     puff.ground = kGround * glm::mix(kFlatGround, transfer.ground, shading);
     puff.seen = glm::smoothstep(kHidden, kSeen, transfer.visibility);
     puff.weight = seenArea(puffs[i], transfer);
-    puff.level = thick * levelOf(transfer);
+    puff.level = levelOf(cloud, transfer);
     response.puffs.push_back(puff);
   }
   return response;

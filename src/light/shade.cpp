@@ -50,7 +50,7 @@ std::vector<PuffLight> shadePuffs(std::span<const shape::Puff> puffs, const Clou
     const float below = thick * glm::smoothstep(0.0f, 0.7f, -transfer.upward);
     const float sun =
         std::clamp(dot(transfer.sun, harmonics) / glm::mix(bright, kFace / kBelow, below), 0.0f, kMostSun);
-    const float level = thick * levelOf(transfer);
+    const float level = levelOf(cloud, transfer);
     const float lit =
         glm::mix(1.0f, lift, level) * glm::mix(glm::mix(kFlatSun, kFlatBelow, below), sun, shading);
     const glm::vec3 radiance =

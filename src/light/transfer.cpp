@@ -11,6 +11,7 @@
 #include "light/layer.hpp"
 #include "light/octaves.hpp"
 #include "light/sweep.hpp"
+#include "light/undersides.hpp"
 
 namespace cloudgen::light {
 namespace {
@@ -30,6 +31,8 @@ constexpr float kSpread = 0.93f;
 /// Thinning of the depths for what goes on nearly straight (most of a forward peak), by which a puff also
 /// knows where outside is.
 constexpr float kClear = 0.5f;
+/// Drops are large: nearly all of the sunlight that meets rain goes on through it, little to the sides.
+constexpr float kSunOfRain = 0.3f;
 /// PuffTransfer::upward of what begins to be a level top.
 constexpr float kLevelFrom = 0.75f;
 
@@ -290,7 +293,11 @@ float brightAnswer(std::span<const shape::Puff> puffs, std::span<const PuffTrans
 
 }  // namespace
 
-float levelOf(const PuffTransfer& transfer) { return glm::smoothstep(kLevelFrom, 1.0f, transfer.upward); }
+float levelOf(const CloudTransfer& cloud, const PuffTransfer& transfer) {
+  constexpr float kHasFaces = 0.4f;  ///< of the light that is not sent on: sheets of an optical depth of 5 have it
+  return std::clamp((1 - cloud.once.towards) / kHasFaces, 0.0f, 1.0f) *
+         glm::smoothstep(kLevelFrom, 1.0f, transfer.upward);
+}
 
 float seenArea(const shape::Puff& puff, const PuffTransfer& transfer) {
   return puff.sigma.x * puff.sigma.z * transfer.visibility;
@@ -328,6 +335,8 @@ CloudTransfer bakeTransfer(std::span<const shape::Puff> puffs, const CloudDepths
       (even.directions[j].y > 0 ? transfer.sky : transfer.ground) += one.sun;
       all += one.sun;
     }
+    if (puffs[p].rain)
+      for (float& one : sun) one *= kSunOfRain;
     transfer.sun = even.fit(sun);
     transfer.through = even.fit(through);
     // Light from everywhere comes out of a cloud as it went in.
@@ -336,6 +345,11 @@ CloudTransfer bakeTransfer(std::span<const shape::Puff> puffs, const CloudDepths
       transfer.ground /= all;
     }
   }
+  const Undersides undersides(puffs, transfers);
+  for (std::size_t k = 0; k < kHarmonics; ++k)
+    undersides.even(transfers, [k](PuffTransfer& transfer) -> float& { return transfer.sun[k]; });
+  undersides.even(transfers, [](PuffTransfer& transfer) -> float& { return transfer.sky; });
+  undersides.even(transfers, [](PuffTransfer& transfer) -> float& { return transfer.ground; });
   const float bright = brightAnswer(puffs, transfers);
   return {std::move(transfers), bright, onceOf(cloud, asymmetry)};
 }
@@ -357,8 +371,10 @@ std::vector<SunAnswer> bakeSun(std::span<const shape::Puff> puffs, const Extinct
     const Beam beam{kSpread * about(front, places[p].skin) + (1 - kSpread) * direct,
                     about(back, places[p].middle)};
     answers.push_back(answer(places[p], sunDirection, beam, std::exp(-kClear * skin), cloud));
+    if (puffs[p].rain) answers.back().sun *= kSunOfRain;
     answers.back().once = onceOf(cloud, asymmetry);
   }
+  Undersides(puffs, transfers).even(answers, [](SunAnswer& one) -> float& { return one.sun; });
   return answers;
 }
 

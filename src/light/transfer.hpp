@@ -62,8 +62,9 @@ CloudTransfer bakeTransfer(std::span<const shape::Puff> puffs, const ExtinctionG
 /// What weighs in the tone of a cloud: area, as far as it is seen.
 float seenArea(const shape::Puff& puff, const PuffTransfer& transfer);
 
-/// 1 for a puff that is a level top, 0 for one that faces another way.
-float levelOf(const PuffTransfer& transfer);
+/// 1 for a puff that is a level top of a cloud, 0 for one that faces another way or is of a cloud so thin that it has
+/// no faces.
+float levelOf(const CloudTransfer& cloud, const PuffTransfer& transfer);
 
 /// The answers to one direction towards the sun without the fit, by two sweeps.
 std::vector<SunAnswer> bakeSun(std::span<const shape::Puff> puffs, const ExtinctionGrid& grid,

@@ -174,8 +174,10 @@ ArchetypeShape shapeOf(const ArchetypeKey& key, const Options& options, const Ge
                        request.puffs >= fewestPuffs(recipe));
   fillWithFew(out.cloud.puffs, recipe, request.puffs);
   if (recipe.form == shape::Form::Veil) holdWithin(out.cloud.puffs, out.widthMeters);
-  shape::spreadBetween(out.cloud.puffs, heaped ? 0.03 : field::kBorderShare, out.depthMeters,
-                       heaped ? shape::Ends::Round : shape::Ends::Flat);
+  const shape::Ends ends = !heaped                             ? shape::Ends::Flat
+                           : recipe.form == shape::Form::Tower ? shape::Ends::Overshooting
+                                                               : shape::Ends::Round;
+  shape::spreadBetween(out.cloud.puffs, heaped ? 0.03 : field::kBorderShare, out.depthMeters, ends);
   shape::standOverCentroid(out.cloud.puffs);
   return out;
 }

@@ -55,14 +55,16 @@ struct Blended {
   float opacity;
 };
 
-/// True if a pixel has more than kCoveringOpticalDepth of the blobs.
-bool isCovered(std::size_t pixel, std::span<const Blended> blobs, PlanRaster& raster) {
-  float depth = 0;
+/// How many of the doubtful pixels have more than kCoveringOpticalDepth of the blobs.
+std::size_t coveredOf(const std::vector<bool>& doubtful, std::span<const Blended> blobs, PlanRaster raster) {
+  constexpr float kNoDoubt = -1;
+  raster.fill([&](std::size_t pixel) { return doubtful[pixel] ? 0 : kNoDoubt; });
   for (const Blended& blob : blobs)
-    raster.visitOne(pixel, blob.plan, [&](float&, double q) {
-      depth += -std::log1p(-blob.opacity * static_cast<float>(std::exp(-0.5 * q)));
+    raster.visit(blob.plan, [&](float& depth, double q) {
+      if (depth != kNoDoubt) depth += -std::log1p(-blob.opacity * static_cast<float>(std::exp(-0.5 * q)));
     });
-  return depth > kCoveringOpticalDepth;
+  return static_cast<std::size_t>(std::ranges::count_if(
+      raster.values(), [](float depth) { return depth > kCoveringOpticalDepth; }));
 }
 
 /// As blendedSquareMeters(), but counts no further than it has more than `enough`. Nearly all pixels are told by what
@@ -92,10 +94,9 @@ double blendedUpTo(double enough, std::span<const Puff> puffs, float covering) {
       known += stopped == 1;
     });
   }
-  for (std::size_t pixel = 0; pixel < raster.values().size(); ++pixel) {
-    const float through = 1 - raster.values()[pixel];
-    known += through > 0 && through < open && isCovered(pixel, blobs, raster);
-  }
+  std::vector<bool> doubtful;
+  for (const float stopped : raster.values()) doubtful.push_back(stopped < 1 && 1 - stopped < open);
+  if (std::ranges::find(doubtful, true) != doubtful.end()) known += coveredOf(doubtful, blobs, raster);
   return squareMeters(raster, known);
 }
 

@@ -132,14 +132,15 @@ Puff puffIn(const CellLayer& layer, std::size_t index, const Recipe& recipe, con
   Puff puff;
   const double size = sigma * stream.uniform(0.75, 1.25) * (0.7 + 0.3 * level);
   double y = std::max(low, low + (top - low) * level);
-  // None lies flat on the base: seen from below it would be a disc.
+  // Seen from below none may stand out as a disc: they are broad and thin there, and none lies flat on the base.
+  const double broad = 1.0 + 0.9 * (1.0 - base::smoothStep(0.0, 0.45, level)) * (1.0 - recipe.turrets);
   const double sigmaY = std::min(size * recipe.flattening, 0.25 * cell.height);
   y = std::min(std::max(y, 1.1 * sigmaY), request.depthMeters - 0.8 * sigmaY);
   const double narrower = cell.turret ? 1.0 - 0.65 * y / cell.height : 1.0;
   puff.center = glm::dvec3(cell.x + (x - cell.x) * narrower, y, cell.z + (z - cell.z) * narrower);
   const double across = size * std::sqrt(narrower);
-  puff.sigma = glm::vec3(across * stretch, sigmaY, across / stretch);
-  puff.extinctionPerMeter = static_cast<float>(cell.weight * (0.25 + 0.9 * dome) *
+  puff.sigma = glm::vec3(broad * across * stretch, sigmaY, broad * across / stretch);
+  puff.extinctionPerMeter = static_cast<float>(cell.weight * (0.25 + 0.9 * dome) / (broad * broad) *
                                                std::clamp(1.0 + recipe.raggedness * 2.0 * lump, 0.2, 1.6));
   puff.section = static_cast<std::uint16_t>(index);
   return puff;

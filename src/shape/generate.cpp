@@ -95,6 +95,7 @@ CloudShape generate(const Recipe& recipe, const ShapeRequest& request) {
   const double footprint = footprintSquareMeters(request.widthMeters);
   scaleExtinction(raw.puffs, request.opticalDepth * footprint / totalExtinctionArea(raw.puffs));
   if (recipe.precipitation <= 0) raw.precipitation.clear();
+  for (Puff& puff : raw.precipitation) puff.rain = true;
   if (!raw.precipitation.empty())
     scaleExtinction(raw.precipitation, recipe.precipitation * request.opticalDepth * footprint *
                                            kPrecipitationShare / totalExtinctionArea(raw.precipitation));

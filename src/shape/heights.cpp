@@ -96,8 +96,9 @@ void spreadBetween(std::span<Puff> puffs, double borderShare, double depthMeters
     if (ends == Ends::Flat) flattenTowardsEnds(puffs, static_cast<float>(depthMeters));
   }
   // No centre so high that most of its puff would stand above the top.
-  for (Puff& puff : puffs)
-    puff.center.y = std::min(puff.center.y, static_cast<float>(depthMeters) - 0.3f * puff.sigma.y);
+  constexpr double kOvershoot = 1.09;
+  const auto most = static_cast<float>(depthMeters * (ends == Ends::Overshooting ? kOvershoot : 1));
+  for (Puff& puff : puffs) puff.center.y = std::min(puff.center.y, most - 0.3f * puff.sigma.y);
 }
 
 void standOverCentroid(std::span<Puff> puffs) {

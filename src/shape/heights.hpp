@@ -11,8 +11,8 @@ namespace cloudgen::shape {
 double heightOfShare(std::span<const Puff> puffs, double share);
 
 /// How a cloud ends: heaps bulge towards their top; what is told by few puffs, or is a layer, is flat there,
-/// so that no dense puff is seen beyond.
-enum class Ends { Round, Flat };
+/// so that no dense puff is seen beyond; the dome of a storm shoots a little over the top of its anvil.
+enum class Ends { Round, Flat, Overshooting };
 
 /// Moves and stretches puffs upright so that `borderShare` of their extinction lies below that share of the
 /// depth, and as much above its counterpart from the top: as it does in an even layer of this depth. What

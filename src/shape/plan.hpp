@@ -27,6 +27,12 @@ class PlanRaster {
   const glm::dvec2& pixel() const { return pixel_; }  ///< its sides
   const std::vector<float>& values() const { return values_; }
 
+  /// Sets each pixel to what `valueOf` makes of its place in values().
+  template <class ValueOf>
+  void fill(ValueOf valueOf) {
+    for (std::size_t pixel = 0; pixel < values_.size(); ++pixel) values_[pixel] = valueOf(pixel);
+  }
+
   /// Adds what `valueOf` makes of the Gaussian (1 in its middle), as far as 3.5 deviations.
   template <class ValueOf>
   void add(const PlanGaussian& plan, ValueOf valueOf) {
@@ -53,15 +59,6 @@ class PlanRaster {
     for (int row = box.top; row <= box.bottom; ++row)
       for (int column = box.left; column <= box.right; ++column)
         does(values_[static_cast<std::size_t>(row * pixels_ + column)], distanceAt(plan, row, column));
-  }
-
-  /// The same for one pixel, by its place in values().
-  template <class Does>
-  void visitOne(std::size_t pixel, const PlanGaussian& plan, Does does) {
-    const Box box = boxOf(plan);
-    const int row = static_cast<int>(pixel) / pixels_, column = static_cast<int>(pixel) % pixels_;
-    if (row >= box.top && row <= box.bottom && column >= box.left && column <= box.right)
-      does(values_[pixel], distanceAt(plan, row, column));
   }
 
  private:

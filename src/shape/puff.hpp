@@ -17,6 +17,7 @@ struct Puff {
   float extinctionPerMeter = 0;    ///< at the centre
   std::uint16_t section = 0;       ///< which section of the cloud it belongs to, from 0
   std::uint16_t sprite = 0;        ///< tile of the genus's sprite atlas
+  bool rain = false;               ///< precipitation below the cloud
 };
 
 /// Optical depth through the centre along an axis with standard deviation s: extinction * s * sqrt(2 pi).

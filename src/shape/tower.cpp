@@ -10,7 +10,8 @@
 namespace cloudgen::shape {
 namespace {
 
-constexpr double kTrunk = -0.24;  ///< the updraught stands upwind of the middle, in widths
+constexpr double kTrunk = -0.24;    ///< the updraught stands upwind of the middle, in widths
+constexpr double kAnvilTop = 0.88;  ///< in depths: the dome overshoots by the rest
 
 /// Radius of the updraught's column in widths at a share of the depth: broad foot, then spreading under the
 /// anvil.
@@ -21,7 +22,7 @@ double columnRadius(double share) {
 /// Rising bubbles wound about a filled core, and the dome that shoots over the anvil.
 void addColumn(std::vector<Lobe>& lobes, const Recipe& recipe, const ShapeRequest& request, int rings,
                int turrets, base::RandomStream& stream) {
-  constexpr double kTop = 0.78, kPuffsOfOne = 1500;
+  constexpr double kTop = 0.71, kPuffsOfOne = 1500;
   // Told by few puffs it stands for several towers.
   const double broad = std::clamp(std::pow(kPuffsOfOne / request.puffs, 0.22), 1.0, 1.8);
   const double width = request.widthMeters, depth = request.depthMeters;
@@ -45,14 +46,14 @@ void addColumn(std::vector<Lobe>& lobes, const Recipe& recipe, const ShapeReques
       lobes.push_back(lobe);
     }
   }
-  // The dome that overshoots: a cluster, the tallest in the middle.
-  const double dome = std::min(0.06 * width, 0.1 * depth);
-  lobes.push_back({{axis(depth), depth - dome, 0}, dome, 7, 0, {0, 1, 0}});
-  for (int bubble = 0; bubble < 5; ++bubble) {
-    const double angle = 2.0 * std::numbers::pi * (bubble + stream.uniform(0, 0.6)) / 5;
-    const double radius = dome * stream.uniform(0.5, 0.8);
-    lobes.push_back({{axis(depth) + dome * std::cos(angle), depth - dome * stream.uniform(1.1, 1.7),
-                      dome * std::sin(angle)},
+  // The dome that overshoots: where the updraught is strongest, a cluster with the tallest in the middle.
+  const double dome = std::min(0.06 * width, 0.085 * depth);
+  for (int bubble = 0; bubble < 8; ++bubble) {
+    const double angle = 2.0 * std::numbers::pi * (bubble + stream.uniform(0, 0.6)) / 7;
+    const double radius = bubble == 0 ? dome : dome * stream.uniform(0.5, 0.75);
+    const double out = bubble == 0 ? 0 : dome * stream.uniform(0.7, 1.2);
+    const double y = bubble == 0 ? depth - dome : kAnvilTop * depth + dome * stream.uniform(-0.4, 0.35);
+    lobes.push_back({{axis(depth) + out * std::cos(angle), y, out * std::sin(angle)},
                      radius,
                      7,
                      0,
@@ -80,7 +81,6 @@ void addFlankingLine(std::vector<Lobe>& lobes, const ShapeRequest& request, int 
 }
 
 constexpr double kUpwindReach = 0.16, kAnvilLength = 1.05;  ///< of the anvil, in widths
-constexpr double kAnvilTop = 0.90;                          ///< in depths: the dome overshoots by the rest
 
 /// Height of the anvil's underside in depths: it rises from the column to all sides.
 double anvilUnderside(double along, double across) {
@@ -88,7 +88,7 @@ double anvilUnderside(double along, double across) {
   const double away = along < kColumn
                           ? base::smoothStep(0.2 * kColumn, kColumn, kColumn - along + 0.2 * kColumn)
                           : base::smoothStep(0.0, 0.5, along - kColumn);
-  return 0.70 + 0.14 * away + 0.06 * across * across;
+  return 0.68 + 0.14 * away + 0.06 * across * across;
 }
 
 /// Half the anvil's breadth in widths, at a share of its length downwind.
@@ -117,13 +117,14 @@ void addAnvil(std::vector<Puff>& puffs, const ShapeRequest& request, int count, 
     const double upper = kAnvilTop - 0.015 * along - 0.02 * across * across;
     const double lower = std::min(upper - 0.015, anvilUnderside(along, across) + 0.05 * streak);
     const double half = anvilHalfBreadth(along);
-    const double sigmaY = std::max(0.16 * (upper - lower) * depth, 20.0);
+    // Flat, as a part of a sheet that is lit from above as a whole.
+    const double sigmaX = std::min(1.1 * spacing * larger, 2 * widest);
+    const double sigmaY = std::max(std::min(0.16 * (upper - lower) * depth, 0.22 * sigmaX), 20.0);
     // Its top is level, so that the dome stands over it.
     const double y = std::min(depth * (lower + (upper - lower) * stream.uniform()), depth * upper - 1.2 * sigmaY);
     Puff puff;
     puff.center = glm::dvec3(start + along * kAnvilLength * width, y, across * half * width);
-    puff.sigma = glm::vec3(std::min(1.1 * spacing * larger, 2 * widest), sigmaY,
-                           std::min(0.5 * spacing * larger, widest) * stream.uniform(0.7, 1.3));
+    puff.sigma = glm::vec3(sigmaX, sigmaY, std::min(0.5 * spacing * larger, widest) * stream.uniform(0.7, 1.3));
     const double diverging = across * 0.13 / std::sqrt(along + 0.05) / kAnvilLength;
     puff.rotation = turnedAlong({1, 0.03 * stream.gaussian(), diverging});
     puff.extinctionPerMeter =

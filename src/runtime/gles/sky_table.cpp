@@ -27,10 +27,19 @@ float airMass(float elevationDegrees) {
   return 1 / (std::sin(kDegree * std::max(elevation, 0.0f)) + 0.50572f * std::pow(elevation + 6.07995f, -1.6364f));
 }
 
+/// Of the sky while the sun is just below the horizon: what ozone leaves of the light from high up.
+constexpr Vec3 kTwilight{0.13f, 0.21f, 0.44f};
+
 /// The sun as the sky is lit by it.
 struct SunOfSky {
-  float elevationDegrees, sine, cosine, mass, day, eyeHeight;
+  float elevationDegrees, sine, cosine, mass, day, eyeHeight, degreesBelow;
 };
+
+/// What of the light scattered once is left when the sun is down: the Earth's shadow rises opposite to the sun and
+/// overhead first.
+float outOfShadow(float degreesBelow, float sine, float azimuthCosine) {
+  return std::exp(-0.12f * degreesBelow * (0.7f * (1 - azimuthCosine) + 2.4f * sine));
+}
 
 /// In units of a white face under a sun at the zenith.
 Vec3 scattered(float sine, float azimuthFromSun, const SunOfSky& sun) {
@@ -56,7 +65,7 @@ Vec3 scattered(float sine, float azimuthFromSun, const SunOfSky& sun) {
     through = through + airHere + aerosolHere;
   }
   const Vec3 white = thinned((kAir + kAerosol) * -1);
-  return sum * white * (sun.day * kPi);
+  return sum * white * (sun.day * kPi * outOfShadow(sun.degreesBelow, sine, std::cos(azimuthFromSun)));
 }
 
 }  // namespace
@@ -72,14 +81,18 @@ void SkyTable::fill(const Lighting& lighting, const Vec3& sunColor, float elevat
                      std::cos(kDegree * elevationDegrees),
                      airMass(elevationDegrees),
                      std::clamp((elevationDegrees - kDuskDegrees) / 9, 0.02f, 1.0f) * dusk,
-                     std::clamp(eyeHeightMeters, 0.0f, 30'000.0f)};
+                     std::clamp(eyeHeightMeters, 0.0f, 30'000.0f),
+                     std::clamp(-elevationDegrees, 0.0f, 18.0f)};
+  const float twilight = (1 - smoothStep(-4, 1, elevationDegrees)) * std::exp(-0.33f * sun.degreesBelow),
+              night = 1 - smoothStep(-9, -5, elevationDegrees);
   float* out = texels.data();
   for (int row = 0; row < kRows; ++row)
     for (int column = 0; column < kColumns; ++column) {
       const float up = static_cast<float>(row) / (kRows - 1), aside = static_cast<float>(column) / (kColumns - 1);
       const float sine = std::max(0.004f, up * up);
-      const Vec3 ofNight = mix(sky.zenith, sky.horizon, std::exp(-3.5f * sine)) * (1 - dusk);
-      const Vec3 color = scattered(sine, kPi * aside * aside, sun) * gain + ofNight;
+      const Vec3 ofNight = mix(sky.zenith, sky.horizon, std::exp(-3.5f * sine)) * night,
+                 ofTwilight = kTwilight * (twilight * (0.6f + 0.4f * sine));
+      const Vec3 color = scattered(sine, kPi * aside * aside, sun) * gain + ofTwilight + ofNight;
       for (const float channel : {color.x, color.y, color.z, 1.0f}) *out++ = channel;
     }
 }

@@ -10,6 +10,7 @@
 #include "light/sweep.hpp"
 #include "shape/generate.hpp"
 #include "support/all_recipes.hpp"
+#include "support/usual_cloud.hpp"
 
 namespace cloudgen::light {
 namespace {
@@ -120,14 +121,7 @@ class EveryGenusLit : public testing::TestWithParam<base::Genus> {
  protected:
   std::vector<shape::Puff> puffs() const {
     const shape::Recipe recipe = test::recipeOf(GetParam());
-    shape::ShapeRequest wanted;
-    wanted.depthMeters = std::sqrt(recipe.thicknessMeters.low * recipe.thicknessMeters.high);
-    wanted.widthMeters = wanted.depthMeters * (recipe.form == shape::Form::Heap    ? 0.9
-                                               : recipe.form == shape::Form::Tower ? 1.9
-                                                                                   : 20);
-    wanted.opticalDepth = recipe.opticalDepth;
-    wanted.puffs = 600;
-    return shape::generate(recipe, wanted).puffs;
+    return shape::generate(recipe, test::usualCloud(recipe, 600, 20)).puffs;
   }
 };
 

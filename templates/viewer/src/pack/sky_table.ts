@@ -37,7 +37,7 @@ function airMass(elevationDegrees: number): number {
 
 /**
  * What of the light scattered once is left when the sun is so many degrees below the horizon: the Earth's shadow rises opposite to the
- * sun and overhead first. (The CPU preview leaves this out, and its dusk is brown all around.)
+ * sun and overhead first.
  */
 function outOfShadow(belowDegrees: number, sine: number, azimuthCosine: number): number {
   return Math.exp(-0.12 * belowDegrees * (0.7 * (1 - azimuthCosine) + 2.4 * sine));
