@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Every genus from the ground, from beside it and from above, at noon, at a sun 25 degrees high and in the evening: a sheet
+# Every genus from the ground, from beside it and from above, at noon, at a sun 25 degrees high and in the evening (2): a sheet
 # of nine pictures each, and contact.jpg with one of each.  bash examples/gallery/make.sh [PROGRAM [NAME...]]
 # Needs what the browser tests need (tests/web: npm ci) to write the sheets.
 set -euo pipefail
@@ -9,7 +9,7 @@ cloudgen=${1:-$here/../../build/release/src/cli/cloudgen}
 shift || true
 work=${GALLERY_WORK:-$(mktemp -d)}
 [ -n "${GALLERY_WORK:-}" ] || trap 'rm -rf "$work"' EXIT
-suns=(noon:190,66 25:235,25 evening:286,4)
+suns=(noon:190,66 25:235,25 evening:286,2)
 
 # name | puffs | from the ground | from the side | from above
 while IFS='|' read -r name puffs ground side above; do
