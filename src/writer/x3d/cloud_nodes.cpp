@@ -14,9 +14,12 @@ constexpr int kShades = 4;
 int shadeOf(const scene::Instance& instance) {
   return static_cast<int>(std::lround((1 - instance.sunlight) * (kShades - 1)));
 }
+float sunlightOf(const scene::Instance& instance) {
+  return 1 - static_cast<float>(shadeOf(instance)) / (kShades - 1);
+}
 
 /// A cloud is drawn in full up to about so many times its own size away, at least and at most.
-constexpr float kLeastSizes = 1, kMostSizes = 6;
+constexpr float kLeastSizes = 0.75f, kMostSizes = 2;
 
 }  // namespace
 
@@ -32,7 +35,9 @@ void CloudNodes::inLevels(std::uint32_t i, float rangeMeters) {
     nodes_.vector("center", glm::vec3(0, 0.5f * (box.lower.y + box.upper.y), 0), 1);
     nodes_.numbers("range", std::array{std::clamp(rangeMeters, kLeastSizes * size, kMostSizes * size)}, 1, 0);
     parts(instance, CloudDetail::Full, {});
-    parts(instance, CloudDetail::Simple, {});
+    nodes_.open("Group");
+    pictures_->writeCloud(nodes_, shapes_, instance.lit, sunlightOf(instance));
+    nodes_.close();
     nodes_.close();
   } else {
     nodes_.use("LOD", "children", name);
@@ -101,9 +106,8 @@ std::string CloudNodes::nameOf(const scene::Instance& instance) const {
 
 void CloudNodes::parts(const scene::Instance& instance, CloudDetail detail, const std::string& def) {
   const base::Genus genus = scene_.archetypes[scene_.lit[instance.lit].archetype].genus;
-  const float sunlight = 1 - static_cast<float>(shadeOf(instance)) / (kShades - 1);
   nodes_.open("Group", "children", def);
-  for (const CloudPart& part : partsOf(scene_, instance.lit, sunlight, detail,
+  for (const CloudPart& part : partsOf(scene_, instance.lit, sunlightOf(instance), detail,
                                        coverings_.of(instance.lit, detail), shapes_.atlas(genus))) {
     if (!part.turns) {
       shapes_.write(genus, part.mesh);
