@@ -42,7 +42,7 @@ Sight besideSun(const light::Sun& sun) {
   return {glm::cross(kY, towards), kY, towards};
 }
 
-/// The height at which a cloud is widest: level quads that stand out elsewhere would be seen as brims.
+/// The height at which a cloud is widest.
 float widestHeight(std::span<const shape::Puff> puffs, const shape::Bounds& box) {
   constexpr std::size_t kSlices = 5;
   const float step = std::max((box.upper.y - box.lower.y) / kSlices, 1e-3f);
@@ -88,7 +88,8 @@ CloudPictures picturesOf(const scene::Scene& scene, std::uint32_t lit, int pixel
   CloudPictures all;
   all.level = {painted(kFromAbove, 1), painted(kFromBelow, kCoarser)};
   if (size.y < kFlat * width) return all;
-  all.level[0].picture.surface = widestHeight(bare, box);
+  // Lower down they would be seen as brims below what stands.
+  all.level[0].picture.surface = std::max(widestHeight(bare, box), 0.5f * (box.lower.y + box.upper.y));
   all.level[1].picture.surface = -all.level[0].picture.surface;
   for (const auto& [one, other] : kAcross) {
     CloudPicture front = painted(one, kCoarser), back = painted(other, kCoarser);

@@ -20,8 +20,8 @@ struct CloudPicture {
   Sight sight;
 };
 
-/// A cloud as pictures within it. Level ones from above and below lie where it is widest; a flat cloud has no
-/// others: from above they would be seen as bright lines.
+/// A cloud as pictures within it. Level ones from above and below lie in the middle of its height, or where it is
+/// widest if that is higher; a flat cloud has no others: from above they would be seen as bright lines.
 struct CloudPictures {
   std::vector<CloudPicture> level;
   std::vector<CloudPicture> upright;   ///< from its four sides, for far off
