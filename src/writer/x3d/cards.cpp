@@ -30,7 +30,7 @@ void addLevels(const LitPuff& whole, std::vector<LitPuff>& out) {
 }  // namespace
 
 void writeCards(QuadShapes& shapes, const scene::Scene& scene, std::span<const std::uint32_t> instances,
-                const std::vector<bool>& isParted, CardRange range) {
+                const std::vector<bool>& isParted) {
   std::map<base::Genus, std::vector<LitPuff>> puffs;
   for (const std::uint32_t i : instances) {
     const scene::Instance& instance = scene.instances[i];
@@ -46,10 +46,8 @@ void writeCards(QuadShapes& shapes, const scene::Scene& scene, std::span<const s
     auto& all = puffs[archetype.genus];
     for (std::size_t p = 0; p < source.size(); ++p) {
       LitPuff whole{scene::placed(scene, instance, source[p]), dimming * lights[p].color, covering};
-      if (range == CardRange::Near) {
-        addLevels(whole, all);
-        whole.planes = Planes::Upright;
-      }
+      addLevels(whole, all);
+      whole.planes = Planes::Upright;
       all.push_back(whole);
     }
   }

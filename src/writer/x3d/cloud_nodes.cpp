@@ -15,6 +15,9 @@ constexpr int kShades = 4;
 int shadeOf(const scene::Instance& instance) {
   return static_cast<int>(std::lround((1 - instance.sunlight) * (kShades - 1)));
 }
+float sunlightOf(const scene::Instance& instance) {
+  return 1 - static_cast<float>(shadeOf(instance)) / (kShades - 1);
+}
 
 /// Steps of Instance::opticalDepthFactor, as powers of this.
 constexpr float kDepthStep = 1.09f;
@@ -24,12 +27,12 @@ int depthStepOf(const scene::Instance& instance) {
 
 /// What clouds of its name share.
 CloudLook lookOf(const scene::Instance& instance) {
-  return {instance.lit, 1 - static_cast<float>(shadeOf(instance)) / (kShades - 1),
+  return {instance.lit, sunlightOf(instance),
           std::pow(kDepthStep, static_cast<float>(depthStepOf(instance)))};
 }
 
 /// A cloud is drawn in full up to about so many times its own size away, at least and at most.
-constexpr float kLeastSizes = 1, kMostSizes = 6;
+constexpr float kLeastSizes = 0.75f, kMostSizes = 2;
 
 }  // namespace
 
@@ -45,7 +48,9 @@ void CloudNodes::inLevels(std::uint32_t i, float rangeMeters) {
     nodes_.vector("center", glm::vec3(0, 0.5f * (box.lower.y + box.upper.y), 0), 1);
     nodes_.numbers("range", std::array{std::clamp(rangeMeters, kLeastSizes * size, kMostSizes * size)}, 1, 0);
     parts(instance, CloudDetail::Full, {});
-    parts(instance, CloudDetail::Simple, {});
+    nodes_.open("Group");
+    pictures_->writeCloud(nodes_, shapes_, instance.lit, sunlightOf(instance));
+    nodes_.close();
     nodes_.close();
   } else {
     nodes_.use("LOD", "children", name);

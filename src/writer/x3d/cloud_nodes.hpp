@@ -5,6 +5,7 @@
 #include <string>
 
 #include "writer/x3d/cloud_parts.hpp"
+#include "writer/x3d/file_pictures.hpp"
 #include "writer/x3d/quad_shape.hpp"
 
 namespace cloudgen::writer {
@@ -13,11 +14,13 @@ namespace cloudgen::writer {
 /// archetype, which the first cloud that needs it defines and the others use.
 class CloudNodes {
  public:
-  CloudNodes(NodeWriter& nodes, QuadShapes& shapes, const scene::Scene& scene, const Coverings& coverings)
-      : nodes_(nodes), shapes_(shapes), scene_(scene), coverings_(coverings) {}
+  /// `pictures` may be null where no cloud is written in levels.
+  CloudNodes(NodeWriter& nodes, QuadShapes& shapes, const scene::Scene& scene, const Coverings& coverings,
+             const FilePictures* pictures)
+      : nodes_(nodes), shapes_(shapes), scene_(scene), coverings_(coverings), pictures_(pictures) {}
 
   /// A cloud that is seen in full from up to `rangeMeters` away (in the archetype's metres, at least), beyond
-  /// it as its far puffs.
+  /// it as its pictures.
   void inLevels(std::uint32_t instance, float rangeMeters);
   /// A cloud in one level of detail.
   void fixed(std::uint32_t instance, CloudDetail detail);
@@ -32,6 +35,7 @@ class CloudNodes {
   QuadShapes& shapes_;
   const scene::Scene& scene_;
   const Coverings& coverings_;
+  const FilePictures* pictures_;
   std::set<std::string> defined_;
 };
 

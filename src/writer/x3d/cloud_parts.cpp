@@ -163,7 +163,7 @@ Coverings::Coverings(const scene::Scene& scene, const std::vector<image::SpriteA
                      const std::vector<bool>& full)
     : full_(scene.lit.size(), 0), simple_(scene.lit.size(), 0) {
   std::vector<unsigned char> wanted(scene.lit.size(), 0);
-  for (std::size_t i = 0; i < scene.instances.size(); ++i) wanted[scene.instances[i].lit] |= full[i] ? 3 : 2;
+  for (std::size_t i = 0; i < scene.instances.size(); ++i) wanted[scene.instances[i].lit] |= full[i] ? 1 : 2;
   base::parallelFor(scene.lit.size(), [&](std::size_t i) {
     const CloudLook look{static_cast<std::uint32_t>(i)};
     const image::SpriteAtlas& atlas = image::atlasOf(atlases, scene.archetypes[scene.lit[i].archetype].genus);

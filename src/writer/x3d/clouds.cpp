@@ -7,20 +7,25 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 #include <numeric>
+#include <set>
 
 #include "base/text.hpp"
 #include "base/thread.hpp"
 #include "writer/x3d/cards.hpp"
 #include "writer/x3d/cloud_nodes.hpp"
-#include "writer/x3d/sheets.hpp"
+#include "writer/x3d/file_pictures.hpp"
 #include "writer/x3d/tile_tree.hpp"
 
 namespace cloudgen::writer {
 namespace {
 
-constexpr double kLiveClouds = 120;       ///< clouds that are drawn one by one around the viewer, about
-constexpr double kFullClouds = 30;        ///< clouds that are drawn in full around the viewer, about
+constexpr double kLiveClouds = 60;       ///< clouds that are drawn one by one around the viewer, about
+constexpr double kFullClouds = 4;        ///< clouds that are drawn in full around the viewer, about
 constexpr std::size_t kFarPuffs = 24000;  ///< puffs in the far shapes of all tiles together, about
+/// The pictures of clouds in the scene's file and in that of a tile.
+constexpr PictureSize kPicturesAtHand{1.2e6, 128}, kTilePictures{1e5, 64};
+/// A flat square is a sheet from so many times its side away on.
+constexpr float kFlatRange = 0.75f;
 /// How much further than it is drawn a tile's file is loaded: it is there when the viewer comes near.
 /// But no further: X_ITE 15 waits for each texture of a file until all frames that were drawn are done
 /// (gl.getParameter and gl.readPixels in ImageTexture), a fifth of a second each for sheets, four seconds
@@ -68,56 +73,12 @@ std::vector<bool> partedOf(const scene::Scene& scene) {
   return isParted;
 }
 
-/// Clouds of a wide square are flat on it if it is so many times as wide as they reach up; then it is a sheet
-/// from so many times its side away on.
-constexpr float kLeastFlatSide = 50000, kFlatness = 10, kFlatRange = 0.75f;
-constexpr int kSheetPixels = 256;  ///< of at most kFineSheets, else half
-constexpr std::size_t kFineSheets = 64;
-
-bool isFlat(const TileNode& tile) {
-  return tile.side > std::max(kLeastFlatSide, kFlatness * (tile.upper.y - tile.lower.y));
-}
-/// The sheets of the flat squares of one file, in a texture of their own.
-class SheetSet {
- public:
-  SheetSet(const scene::Scene& scene, const std::vector<const TileNode*>& tiles, std::string name)
-      : name_(std::move(name)) {
-    for (const TileNode* tile : tiles)
-      if (isFlat(*tile)) {
-        places_[tile] = sheets_.size();
-        sheets_.emplace_back();
-        flat_.push_back(tile);
-      }
-    const int pixels = flat_.size() <= kFineSheets ? kSheetPixels : kSheetPixels / 2;
-    base::parallelFor(flat_.size(),
-                      [&](std::size_t i) { sheets_[i] = sheetOf(scene, flat_[i]->instances, pixels); });
-    atlas_.emplace(sheets_, pixels);
-  }
-
-  bool has(const TileNode& tile) const { return places_.contains(&tile); }
-  void write(QuadShapes& shapes, const TileNode& tile) const {
-    const std::size_t index = places_.at(&tile);
-    shapes.writePictures("Sheets", name_, atlas_->meshOf(sheets_[index], index));
-  }
-  /// Writes the texture, if there is a flat square. Throws OutputError.
-  void texture(const std::filesystem::path& folder) const {
-    if (!sheets_.empty()) image::writePng(folder / "textures" / name_, atlas_->texture());
-  }
-
- private:
-  std::string name_;
-  std::vector<const TileNode*> flat_;
-  std::vector<Sheet> sheets_;
-  std::map<const TileNode*, std::size_t> places_;
-  std::optional<SheetAtlas> atlas_;
-};
-
 /// What one file of a scene is written with.
 struct File {
   NodeWriter& nodes;
   QuadShapes& shapes;
   CloudNodes clouds;
-  const SheetSet& sheets;
+  const FilePictures& pictures;
 };
 
 class Tiles {
@@ -130,7 +91,6 @@ class Tiles {
         encoding_(encoding),
         trees_(tileTrees(scene, stage)),
         full_(fullOf(scene)),
-        isParted_(partedOf(scene)),
         coverings_(scene, atlases, full_) {
     chooseAtHand();
   }
@@ -149,13 +109,15 @@ class Tiles {
   /// Writes the tiles into the scene's file.
   void roots(NodeWriter& nodes, QuadShapes& shapes, const std::filesystem::path& folder) const {
     std::vector<const TileNode*> squares;
+    std::set<std::uint32_t> lit;
     for (std::size_t i = 0; i < trees_.size(); ++i) {
       squares.push_back(&trees_[i]);
       if (isAtHand_[i]) addParts(trees_[i], squares);
+      if (isAtHand_[i] || !isFlat(trees_[i])) addLit(trees_[i], lit);
     }
-    const SheetSet sheets(scene_, squares, "sheets.png");
-    sheets.texture(folder);
-    File main{nodes, shapes, CloudNodes(nodes, shapes, scene_, coverings_), sheets};
+    const FilePictures pictures(scene_, squares, lit, kPicturesAtHand, "pictures.png");
+    pictures.texture(folder);
+    File main{nodes, shapes, CloudNodes(nodes, shapes, scene_, coverings_, &pictures), pictures};
     for (std::size_t i = 0; i < trees_.size(); ++i) {
       if (isAtHand_[i])
         levels(main, "Tile_" + trees_[i].name, trees_[i]);
@@ -222,12 +184,8 @@ class Tiles {
     }
   }
 
-  /// The clouds of a square as they are seen from far off.
-  void afar(File& file, const TileNode& tile) const {
-    if (file.sheets.has(tile))
-      file.sheets.write(file.shapes, tile);
-    else
-      writeCards(file.shapes, scene_, tile.instances, isParted_, CardRange::Far);
+  void addLit(const TileNode& tile, std::set<std::uint32_t>& out) const {
+    for (const std::uint32_t i : tile.instances) out.insert(scene_.instances[i].lit);
   }
 
   /// A square with its clouds and as it is from afar, both in this file.
@@ -237,7 +195,7 @@ class Tiles {
     within(file, tile);
     file.nodes.close();
     file.nodes.open("Group");
-    afar(file, tile);
+    file.pictures.writeSquare(file.shapes, tile);
     file.nodes.close();
     file.nodes.close();
   }
@@ -262,7 +220,7 @@ class Tiles {
     nodes.open("Switch", "children", "Choice_" + tile.name);
     nodes.integer("whichChoice", 0);
     nodes.open("Group", "children", "Far_" + tile.name);
-    afar(file, tile);
+    file.pictures.writeSquare(file.shapes, tile);
     nodes.close();
     nodes.use("Inline", "children", "Clouds_" + tile.name);
     nodes.close();
@@ -291,10 +249,13 @@ class Tiles {
          {"creator", "cloudgen"},
          {"generator", "cloudgen"}});
     std::vector<const TileNode*> squares;
+    std::set<std::uint32_t> lit;
     addParts(tile, squares);
-    const SheetSet sheets(scene_, squares, fmt::format("sheets_{}.png", tile.name));
-    sheets.texture(folder);
-    File one{*nodes, shapes, CloudNodes(*nodes, shapes, scene_, coverings_), sheets};
+    addLit(tile, lit);
+    const FilePictures pictures(scene_, squares, lit, kTilePictures,
+                                fmt::format("pictures_{}.png", tile.name));
+    pictures.texture(folder);
+    File one{*nodes, shapes, CloudNodes(*nodes, shapes, scene_, coverings_, &pictures), pictures};
     within(one, tile);
     nodes->finish();
   }
@@ -304,7 +265,7 @@ class Tiles {
   const std::vector<image::SpriteAtlas>& atlases_;
   Encoding encoding_;
   std::vector<TileNode> trees_;
-  std::vector<bool> full_, isParted_, isAtHand_;
+  std::vector<bool> full_, isAtHand_;
   Coverings coverings_;
 };
 
@@ -323,7 +284,7 @@ void writeFixed(NodeWriter& nodes, QuadShapes& shapes, const scene::Scene& scene
   }
   const Coverings coverings(scene, shapes.atlases(), full);
   const std::vector<bool> inParts = partedOf(scene);
-  CloudNodes clouds(nodes, shapes, scene, coverings);
+  CloudNodes clouds(nodes, shapes, scene, coverings, nullptr);
   const auto trees = tileTrees(scene, stage);
   for (std::size_t i = 0; i < trees.size(); ++i) {
     progress.step("writing VRML", static_cast<double>(i) / static_cast<double>(trees.size()));
@@ -335,7 +296,7 @@ void writeFixed(NodeWriter& nodes, QuadShapes& shapes, const scene::Scene& scene
       else
         others.push_back(instance);
     }
-    writeCards(shapes, scene, others, inParts, CardRange::Near);
+    writeCards(shapes, scene, others, inParts);
     nodes.close();
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "writer/x3d/quads.hpp"
 
+#include <algorithm>
 #include <array>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -63,7 +64,8 @@ std::array<glm::vec3, 2> shownAxes(const shape::Puff& puff) {
           std::sqrt(std::max(second, 0.0f)) * glm::vec3(-sine, cosine, 0)};
 }
 
-/// The side of the box that a direction points to most, as draw order: 0..5 = +z -z +x -x +y -y.
+constexpr int kSides = 6, kLevelSides = 4;
+/// The side of the box that a direction points to most: 0..5 = +z -z +x -x +y -y.
 int sideOf(const glm::vec3& normal) {
   const glm::vec3 size = glm::abs(normal);
   const int axis = size.y >= size.x && size.y >= size.z ? 1 : size.x > size.z ? 0 : 2;
@@ -124,26 +126,30 @@ QuadMesh crossedQuads(const std::vector<LitPuff>& puffs, const glm::vec3& origin
                             color, drawnDepth, widening});
     }
   }
+  for (std::uint32_t face = 0; face < 2 * mesh.quads.size(); ++face) mesh.faces.push_back(face);
+  orderFaces(mesh, LevelFaces::Last);
+  return mesh;
+}
+
+void orderFaces(QuadMesh& mesh, LevelFaces level) {
   struct Face {
     int side;
     float depth;
     std::uint32_t face;
   };
   std::vector<Face> faces;
-  for (std::uint32_t i = 0; i < mesh.quads.size(); ++i) {
-    const glm::vec3 normal = glm::cross(mesh.quads[i].right, mesh.quads[i].up);
-    for (std::uint32_t back = 0; back < 2; ++back) {
-      const int side = sideOf(back ? -normal : normal);
-      const glm::vec3& center = mesh.quads[i].center;
-      const std::array<float, 6> depths{center.z, -center.z, center.x, -center.x, center.y, -center.y};
-      faces.push_back({side, depths[static_cast<size_t>(side)], 2 * i + back});
-    }
+  for (const std::uint32_t face : mesh.faces) {
+    const Quad& quad = mesh.quads[face / 2];
+    const glm::vec3 normal = glm::cross(quad.right, quad.up), &center = quad.center;
+    const int side = sideOf(face % 2 ? -normal : normal);
+    const std::array<float, 6> depths{center.z, -center.z, center.x, -center.x, center.y, -center.y};
+    const bool isFirst = side >= kLevelSides && level == LevelFaces::First;
+    faces.push_back({isFirst ? side - kSides : side, depths[static_cast<size_t>(side)], face});
   }
   std::sort(faces.begin(), faces.end(), [](const Face& a, const Face& b) {
     return std::tie(a.side, a.depth, a.face) < std::tie(b.side, b.depth, b.face);
   });
-  for (const Face& face : faces) mesh.faces.push_back(face.face);
-  return mesh;
+  std::ranges::transform(faces, mesh.faces.begin(), &Face::face);
 }
 
 }  // namespace cloudgen::writer

@@ -47,10 +47,15 @@ QuadMesh facingQuads(const std::vector<LitPuff>& puffs, const glm::vec3& origin,
                      const image::SpriteAtlas& atlas);
 
 /// Up to three crossed quads a puff, in the planes of its own axes, with both faces; a flat puff has just the
-/// level one, as upright slivers would be seen as needles from above. The faces are ordered so that from
-/// every side the near ones come last, given that back faces are not drawn; upright ones come before level
-/// ones.
+/// level one, as upright slivers would be seen as needles from above. Their
+/// faces are in order.
 QuadMesh crossedQuads(const std::vector<LitPuff>& puffs, const glm::vec3& origin,
                       const image::SpriteAtlas& atlas);
+
+enum class LevelFaces : unsigned char { First, Last };
+
+/// Puts the faces into an order in which from every side the near ones come last, given that back faces are
+/// not drawn; level ones before or after all upright ones.
+void orderFaces(QuadMesh& mesh, LevelFaces level);
 
 }  // namespace cloudgen::writer

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 
 #include "base/error.hpp"
 #include "light/color.hpp"
@@ -38,16 +39,20 @@ scene::Scene skyOf(int billboards) {
     sky.archetypes.push_back(test::heap("Cu_" + std::to_string(kind), base::Genus::Cumulus, width,
                                         0.6f * width, each >= 5 ? 5 : 1, each));
   }
+  std::map<std::pair<std::uint32_t, int>, std::uint32_t> litOf;
   base::RandomStream random(sky.seed, 0, base::Purpose::Test, 9);
   for (int i = 0; i < clouds; ++i) {
     const auto kind = static_cast<std::uint32_t>(random.index(kKinds));
     const int yaw = static_cast<int>(random.index(scene::kYawSteps));
     const scene::Archetype& cloud = sky.archetypes[kind];
-    sky.lit.push_back({kind, yaw, test::simpleLight(cloud.puffs, cloud.bounds, sky.sun, yaw),
-                       test::simpleLight(cloud.farPuffs, cloud.bounds, sky.sun, yaw)});
-    sky.lit.back().onePuff = test::simpleLight({cloud.onePuff}, cloud.bounds, sky.sun, yaw).front();
+    const auto [known, isNew] = litOf.try_emplace({kind, yaw}, static_cast<std::uint32_t>(sky.lit.size()));
+    if (isNew) {
+      sky.lit.push_back({kind, yaw, test::simpleLight(cloud.puffs, cloud.bounds, sky.sun, yaw),
+                         test::simpleLight(cloud.farPuffs, cloud.bounds, sky.sun, yaw)});
+      sky.lit.back().onePuff = test::simpleLight({cloud.onePuff}, cloud.bounds, sky.sun, yaw).front();
+    }
     const glm::vec3 place(random.uniform(0, side), 1000, -random.uniform(0, side));
-    sky.instances.push_back({static_cast<std::uint32_t>(sky.lit.size() - 1), place});
+    sky.instances.push_back({known->second, place});
     const glm::dvec3 where = sky.frame.toGeographic(glm::dvec3(place));
     sky.clouds.push_back({static_cast<std::uint64_t>(i), base::Genus::Cumulus, "bench", 0, where.x, where.y,
                           1000, 1000 + cloud.depthMeters, cloud.opticalDepth});
@@ -60,7 +65,7 @@ void writeThesisStyle(const scene::Scene& sky, const std::filesystem::path& ours
                       const std::filesystem::path& file) {
   std::ifstream in(ours, std::ios::binary);
   std::string head{std::istreambuf_iterator<char>(in), {}};
-  const auto clouds = head.find("\n<ProximitySensor");
+  const auto clouds = std::min(head.find("\n<ProximitySensor"), head.find("\n<LOD"));
   std::ofstream out(file, std::ios::binary);
   out << head.substr(0, clouds);
   for (const scene::Instance& instance : sky.instances) {

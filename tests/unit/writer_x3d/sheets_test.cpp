@@ -19,67 +19,66 @@ Sheet sheetOfAll(const scene::Scene& scene) {
   return sheetOf(scene, all, kPixels);
 }
 
-int alphaAt(const Sheet& sheet, int x, int y) {
-  return sheet.picture.bytes[4 * static_cast<std::size_t>(y * kPixels + x) + 3];
+int alphaAt(const image::ByteImage& image, int x, int y) {
+  return image.bytes[4 * static_cast<std::size_t>(y * image.width + x) + 3];
 }
 
 TEST(Sheets, CoverTheGroundThatThePuffsDo) {
-  scene::Scene scene = test::smallScene();
-  const Sheet sheet = sheetOfAll(scene);
+  const scene::Scene scene = test::smallScene();
+  const PuffPicture sheet = sheetOfAll(scene).picture;
   std::vector<shape::Puff> puffs;
   for (const scene::Instance& instance : scene.instances)
-    for (const shape::Puff& puff : scene.archetypes[scene.lit[instance.lit].archetype].farPuffs)
+    for (const shape::Puff& puff : scene.archetypes[scene.lit[instance.lit].archetype].puffs)
       puffs.push_back(scene::placed(scene, instance, puff));
   int covered = 0;
   const double covering = 255 * -std::expm1(-shape::kCoveringOpticalDepth);
-  for (int y = 0; y < kPixels; ++y)
-    for (int x = 0; x < kPixels; ++x) covered += alphaAt(sheet, x, y) > covering;
-  const glm::dvec2 step = glm::dvec2(sheet.upper - sheet.lower) / static_cast<double>(kPixels);
+  for (int y = 0; y < sheet.image.height; ++y)
+    for (int x = 0; x < sheet.image.width; ++x) covered += alphaAt(sheet.image, x, y) > covering;
+  const glm::dvec2 step = glm::dvec2(sheet.upper - sheet.lower) / glm::dvec2(sheet.image.width, sheet.image.height);
   const double wanted = shape::coveredSquareMeters(puffs);
   EXPECT_NEAR(covered * step.x * step.y, wanted, 0.02 * wanted);
 }
 
-TEST(Sheets, AreEmptyAtTheBorderAndPatchedWhereSomethingIsSeen) {
+TEST(Sheets, ArePatchedWhereSomethingIsSeenAndFadeToTheirBorder) {
   const scene::Scene scene = test::smallScene();
   const Sheet sheet = sheetOfAll(scene);
-  std::vector<int> patched(kPixels * kPixels, 0);
+  const image::ByteImage& image = sheet.picture.image;
+  std::vector<int> patched(static_cast<std::size_t>(image.width * image.height), 0);
   for (const glm::ivec4& patch : sheet.patches)
     for (int y = patch.y; y < patch.w; ++y)
-      for (int x = patch.x; x < patch.z; ++x) ++patched[static_cast<std::size_t>(y * kPixels + x)];
+      for (int x = patch.x; x < patch.z; ++x) ++patched[static_cast<std::size_t>(y * image.width + x)];
   int seen = 0;
-  for (int y = 0; y < kPixels; ++y)
-    for (int x = 0; x < kPixels; ++x) {
-      const int patches = patched[static_cast<std::size_t>(y * kPixels + x)];
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
+      const int patches = patched[static_cast<std::size_t>(y * image.width + x)];
       ASSERT_LE(patches, 1);
-      if (alphaAt(sheet, x, y) < 2) continue;
+      if (alphaAt(image, x, y) < kSeenAlpha) continue;
       ++seen;
       ASSERT_EQ(patches, 1) << x << ' ' << y;
-      ASSERT_TRUE(x > 0 && y > 0 && x < kPixels - 1 && y < kPixels - 1);
+      ASSERT_TRUE(x > 0 && y > 0 && x < image.width - 1 && y < image.height - 1);
     }
   EXPECT_GT(seen, kPixels);
 }
 
 TEST(Sheets, OfAnAtlasLieWhereTheirCloudsDo) {
   const scene::Scene scene = test::smallScene();
-  const std::vector<Sheet> sheets(5, sheetOfAll(scene));
-  const SheetAtlas atlas(sheets, kPixels);
-  EXPECT_EQ(atlas.texture().width, 3 * kPixels);
-  EXPECT_EQ(atlas.texture().height, 2 * kPixels);
-  const QuadMesh mesh = atlas.meshOf(sheets[4], 4);
-  ASSERT_EQ(mesh.quads.size(), sheets[4].patches.size());
+  const Sheet sheet = sheetOfAll(scene);
+  const PuffPicture& picture = sheet.picture;
+  const image::ByteImage small{10, 300, 4, std::vector<unsigned char>(4 * 10 * 300)};
+  const std::vector<const image::ByteImage*> images{&picture.image, &small};
+  const PictureAtlas atlas(images);
+  const QuadMesh mesh = meshOf(sheet, atlas, 0);
+  ASSERT_EQ(mesh.quads.size(), sheet.patches.size());
   EXPECT_EQ(mesh.faces.size(), 2 * mesh.quads.size());
+  const glm::vec2 texture(atlas.texture().width, atlas.texture().height);
   for (const Quad& quad : mesh.quads) {
     EXPECT_GT(glm::cross(quad.right, quad.up).y, 0);  // the front looks up
-    for (const float sign : {-1.0f, 1.0f}) {
-      const glm::vec3 corner = quad.center + sign * (quad.right + quad.up);
-      const glm::vec2 share =
-          (glm::vec2(corner.x, corner.z) - sheets[4].lower) / (sheets[4].upper - sheets[4].lower);
-      const float u = sign < 0 ? quad.textureBox.x : quad.textureBox.z,
-                  v = sign < 0 ? quad.textureBox.y : quad.textureBox.w;
-      // The fifth lies in the middle of the second row.
-      EXPECT_NEAR(u, (1 + share.x) / 3, 1e-4);
-      EXPECT_NEAR(1 - v, (1 + share.y) / 2, 1e-4);
-    }
+    const glm::vec3 corner = quad.center - quad.right + quad.up;  // in the north-west
+    const glm::vec2 share{(corner.x - picture.lower.x) / (picture.upper.x - picture.lower.x),
+                          (corner.z + picture.upper.y) / (picture.upper.y - picture.lower.y)};
+    // The higher picture comes first.
+    EXPECT_NEAR(quad.textureBox.x * texture.x, 10 + share.x * static_cast<float>(picture.image.width), 0.1);
+    EXPECT_NEAR((1 - quad.textureBox.w) * texture.y, share.y * static_cast<float>(picture.image.height), 0.1);
   }
 }
 

@@ -269,7 +269,7 @@ TEST_F(X3d, TexturesOfTheGeneraAreCopiedAndNoOthers) {
   std::set<std::string> files;
   for (const auto& entry : fs::directory_iterator(out() / "textures"))
     files.insert(entry.path().filename().string());
-  EXPECT_EQ(files, (std::set<std::string>{"cirrus.png", "cumulus.png"}));
+  EXPECT_EQ(files, (std::set<std::string>{"cirrus.png", "cumulus.png", "pictures.png"}));
   EXPECT_EQ(base::readFile(out() / "textures/cirrus.png"), "texture of cirrus");
   for (const std::string& url : matches(text, R"re(url='"([^"]*)")re"))
     EXPECT_TRUE(fs::exists(out() / url)) << url;

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "writer/x3d/cloud_pictures.hpp"
+#include "writer/x3d/quad_shape.hpp"
+#include "writer/x3d/sheets.hpp"
+#include "writer/x3d/tile_tree.hpp"
+
+namespace cloudgen::writer {
+
+/// Clouds of a square are flat on it if it is wide and many times as wide as they reach up: it is a sheet from
+/// afar.
+bool isFlat(const TileNode& tile);
+
+/// Pixels of the pictures of a file's clouds.
+struct PictureSize {
+  double together = 0;  ///< of all of them, about
+  int longestSide = 0;  ///< of a cloud, at most
+};
+
+/// All pictures of one file in one texture: sheets of its flat squares, and of its clouds what they are from
+/// all sides.
+class FilePictures {
+ public:
+  /// `name` is that of the texture's file. Pictures are painted of these lit archetypes.
+  FilePictures(const scene::Scene& scene, const std::vector<const TileNode*>& squares,
+               const std::set<std::uint32_t>& lit, const PictureSize& size, std::string name);
+
+  /// Writes a square as it is from afar: its sheet, or its clouds' pictures as one Shape.
+  void writeSquare(QuadShapes& shapes, const TileNode& tile) const;
+  /// Writes a lit archetype in its own metres: what lies level, and a Billboard about the upright axis.
+  void writeCloud(NodeWriter& nodes, QuadShapes& shapes, std::uint32_t lit, float sunlight) const;
+  /// Writes the texture, if there is a picture. Throws OutputError.
+  void texture(const std::filesystem::path& folder) const;
+
+ private:
+  struct Cloud {
+    std::uint32_t lit = 0;
+    CloudPictures pictures;
+    std::size_t first = 0;
+  };
+  void paintClouds(const std::set<std::uint32_t>& lit, const PictureSize& size);
+  void write(QuadShapes& shapes, const QuadMesh& mesh) const;
+
+  const scene::Scene& scene_;
+  std::string name_;
+  std::map<const TileNode*, Sheet> sheets_;
+  std::map<const TileNode*, std::size_t> sheetPlaces_;
+  std::map<std::uint32_t, Cloud> clouds_;
+  std::optional<PictureAtlas> atlas_;
+  bool isEmpty_ = true;
+};
+
+}  // namespace cloudgen::writer

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "support/small_scene.hpp"
+#include "writer/x3d/cloud_pictures.hpp"
+#include "writer/x3d/picture_atlas.hpp"
+
+namespace cloudgen::writer {
+namespace {
+
+constexpr Sight kFromSouth{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+
+double meanAlpha(const PuffPicture& picture) {
+  double sum = 0;
+  for (std::size_t i = 3; i < picture.image.bytes.size(); i += 4) sum += picture.image.bytes[i] / 255.0;
+  return 4 * sum / static_cast<double>(picture.image.bytes.size());
+}
+
+ColoredPuff threadAlong(float degrees) {
+  ColoredPuff thread;
+  thread.puff.sigma = {2000, 60, 60};
+  thread.puff.rotation = glm::angleAxis(glm::radians(degrees), glm::vec3(0, 1, 0));
+  thread.puff.extinctionPerMeter = 0.01f;
+  return thread;
+}
+
+TEST(Pictures, OfThreadsAreStreaksAndNoDiscs) {
+  const std::vector<ColoredPuff> threads{threadAlong(45)};
+  const PuffPicture picture = paintedPuffs(threads, {{1, 0, 0}, {0, 0, -1}, {0, 1, 0}}, 64);
+  EXPECT_LT(meanAlpha(picture), 0.2);  // a disc would fill three quarters of its square
+}
+
+TEST(Pictures, ShowTheNearPuffBeforeTheFarOne) {
+  std::vector<ColoredPuff> puffs(2);
+  for (ColoredPuff& puff : puffs) puff.puff.sigma = glm::vec3(100), puff.puff.extinctionPerMeter = 0.1f;
+  puffs[0].puff.center.z = 500, puffs[0].color = {1, 0, 0};
+  puffs[1].puff.center.z = -500, puffs[1].color = {0, 0, 1};
+  const PuffPicture south = paintedPuffs(puffs, kFromSouth, 64),
+                    north = paintedPuffs(puffs, {{-1, 0, 0}, {0, 1, 0}, {0, 0, -1}}, 64);
+  const auto middle = [](const image::ByteImage& image) {
+    return 4 * static_cast<std::size_t>(image.height / 2 * image.width + image.width / 2);
+  };
+  EXPECT_GT(south.image.bytes[middle(south.image)], 250);
+  EXPECT_GT(north.image.bytes[middle(north.image) + 2], 250);
+  EXPECT_NEAR(south.surface, 450, 150);
+  EXPECT_NEAR(north.surface, 450, 150);
+}
+
+TEST(Pictures, OfFlatCloudsLieLevelAlone) {
+  scene::Scene scene = test::smallScene();
+  for (std::uint32_t lit = 0; lit < scene.lit.size(); ++lit) {
+    const shape::Bounds& box = scene.archetypes[scene.lit[lit].archetype].bounds;
+    const glm::vec3 size = box.upper - box.lower;
+    const CloudPictures cloud = picturesOf(scene, lit, 64);
+    EXPECT_EQ(cloud.level.size(), 2u);
+    const std::size_t others = cloud.upright.size() + cloud.turning.size();
+    if (size.y < 0.2f * std::min(size.x, size.z)) {
+      EXPECT_EQ(others, 0u);
+    }
+    if (size.y > 0.6f * std::max(size.x, size.z)) {
+      EXPECT_EQ(others, 5u);
+    }
+  }
+}
+
+TEST(Pictures, QuadsStandWhereTheCloudDoes) {
+  const scene::Scene scene = test::smallScene();
+  const shape::Bounds& box = scene.archetypes[scene.lit[0].archetype].bounds;
+  const CloudPictures cloud = picturesOf(scene, 0, 64);
+  std::vector<const image::ByteImage*> images;
+  for (const CloudPicture& one : cloud.level) images.push_back(&one.picture.image);
+  const PictureAtlas atlas(images);
+  const glm::vec3 place(1000, 2000, -3000);
+  for (const Outline outline : {Outline::Whole, Outline::Tight}) {
+    QuadMesh mesh;
+    appendQuads(cloud.level, atlas, 0, place, 2, glm::vec3(1), mesh, outline);
+    ASSERT_FALSE(mesh.quads.empty());
+    EXPECT_EQ(mesh.faces.size(), mesh.quads.size());
+    for (const Quad& quad : mesh.quads) {
+      EXPECT_GE(quad.center.y, place.y + 2 * box.lower.y);
+      EXPECT_LE(quad.center.y, place.y + 2 * box.upper.y);
+    }
+  }
+}
+
+TEST(Pictures, OfAnAtlasDoNotOverlap) {
+  std::vector<image::ByteImage> pictures;
+  for (int i = 0; i < 40; ++i) {
+    const int width = 5 + 7 * i % 31, height = 4 + 5 * i % 23;
+    pictures.push_back({width, height, 4,
+                        std::vector<unsigned char>(static_cast<std::size_t>(4 * width * height),
+                                                   static_cast<unsigned char>(i + 1))});
+  }
+  std::vector<const image::ByteImage*> pointers;
+  for (const image::ByteImage& picture : pictures) pointers.push_back(&picture);
+  const PictureAtlas atlas(pointers);
+  std::size_t whole = 0;
+  for (int i = 0; i < 40; ++i) {
+    const auto shown = std::ranges::count(atlas.texture().bytes, static_cast<unsigned char>(i + 1));
+    EXPECT_EQ(static_cast<std::size_t>(shown), pictures[static_cast<std::size_t>(i)].bytes.size());
+    whole += pictures[static_cast<std::size_t>(i)].bytes.size();
+  }
+  EXPECT_LT(atlas.texture().bytes.size(), 3 * whole);
+}
+
+}  // namespace
+}  // namespace cloudgen::writer
