@@ -19,7 +19,7 @@ const Sight kFromAbove{kX, -kZ, kY}, kFromBelow{kX, kZ, -kY};
 const std::array<std::pair<Sight, Sight>, 2> kAcross{
     {{{kX, kY, kZ}, {-kX, kY, -kZ}}, {{-kZ, kY, kX}, {kZ, kY, -kX}}}};
 
-constexpr float kFlat = 0.35f;     ///< height to width of what is flat
+constexpr float kFlat = 0.35f;    ///< height to width of what is flat
 constexpr float kCoarser = 0.4f;  ///< what is seen from far off only, or from below
 
 std::vector<ColoredPuff> turned(const scene::Scene& scene, const scene::LitArchetype& lit) {
@@ -74,6 +74,11 @@ void appendColored(const scene::Scene& scene, const scene::Instance& instance,
         {scene::placed(scene, instance, puffs[p]), light::srgbFromLinear(dimming * lights[p].color)});
 }
 
+glm::vec3 middleOf(const CloudPicture& one) {
+  const glm::vec2 middle = 0.5f * (one.picture.lower + one.picture.upper);
+  return middle.x * one.sight.right + middle.y * one.sight.up + one.picture.surface * one.sight.towards;
+}
+
 CloudPictures picturesOf(const scene::Scene& scene, std::uint32_t lit, int pixels) {
   const std::vector<ColoredPuff> puffs = turned(scene, scene.lit[lit]);
   std::vector<shape::Puff> bare;
@@ -117,8 +122,7 @@ void appendQuads(std::span<const CloudPicture> pictures, const PictureAtlas& atl
       const glm::vec2 low = picture.lower + step * glm::vec2(patch.x, picture.image.height - patch.w),
                       high = picture.lower + step * glm::vec2(patch.z, picture.image.height - patch.y),
                       middle = 0.5f * (low + high), half = 0.5f * scale * (high - low);
-      const glm::vec3 center =
-          middle.x * sight.right + middle.y * sight.up + picture.surface * sight.towards;
+      const glm::vec3 center = middle.x * sight.right + middle.y * sight.up + picture.surface * sight.towards;
       mesh.faces.push_back(static_cast<std::uint32_t>(2 * mesh.quads.size()));
       mesh.quads.push_back({place + scale * center, half.x * sight.right, half.y * sight.up,
                             atlas.textureBox(first + i, patch), glm::vec4(tint, 1), 0});

@@ -20,13 +20,16 @@ struct CloudPicture {
   Sight sight;
 };
 
-/// A cloud as pictures within it. Level ones from above and below lie in the middle of its height, or where it is
-/// widest if that is higher; a flat cloud has no others: from above they would be seen as bright lines.
+/// A cloud as pictures within it. Level ones from above and below lie in the middle of its height, or where
+/// it is widest if that is higher; a flat cloud has no others: from above they would be seen as bright lines.
 struct CloudPictures {
   std::vector<CloudPicture> level;
-  std::vector<CloudPicture> upright;   ///< from its four sides, for far off
-  std::vector<CloudPicture> turning;   ///< one, to be turned to the viewer about the upright axis
+  std::vector<CloudPicture> upright;  ///< from its four sides, for far off
+  std::vector<CloudPicture> turning;  ///< one, to be turned to the viewer about its middle
 };
+
+/// Of the quad of a picture.
+glm::vec3 middleOf(const CloudPicture& picture);
 
 /// Of a lit archetype, so many pixels along its longest side.
 CloudPictures picturesOf(const scene::Scene& scene, std::uint32_t lit, int pixels);
@@ -34,11 +37,10 @@ CloudPictures picturesOf(const scene::Scene& scene, std::uint32_t lit, int pixel
 enum class Outline : unsigned char { Whole, Tight };
 
 /// Adds the quads of pictures, `first` being the place of their first one in the atlas; moved and scaled,
-/// their colours multiplied by `tint`; one a picture, or tight ones around what is seen. Their faces are not in
-/// order yet: orderFaces, level ones first.
+/// their colours multiplied by `tint`; one a picture, or tight ones around what is seen. Their faces are not
+/// in order yet: orderFaces, level ones first.
 void appendQuads(std::span<const CloudPicture> pictures, const PictureAtlas& atlas, std::size_t first,
-                 const glm::vec3& place, float scale, const glm::vec3& tint, QuadMesh& mesh,
-                 Outline outline);
+                 const glm::vec3& place, float scale, const glm::vec3& tint, QuadMesh& mesh, Outline outline);
 
 /// What multiplies the pictures of a lit archetype where other clouds leave it a share of the sun.
 glm::vec3 tintOf(const scene::Scene& scene, std::uint32_t lit, float sunlight);

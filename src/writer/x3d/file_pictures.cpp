@@ -28,8 +28,7 @@ bool isFlat(const TileNode& tile) {
 }
 
 FilePictures::FilePictures(const scene::Scene& scene, const std::vector<const TileNode*>& squares,
-                           const std::set<std::uint32_t>& lit, const PictureSize& size,
-                           std::string name)
+                           const std::set<std::uint32_t>& lit, const PictureSize& size, std::string name)
     : scene_(scene), name_(std::move(name)) {
   std::vector<std::pair<const TileNode*, Sheet*>> flat;
   for (const TileNode* tile : squares)
@@ -62,9 +61,8 @@ void FilePictures::paintClouds(const std::set<std::uint32_t>& lit, const Picture
     clouds.push_back(&cloud);
   }
   const int each = pixelsOfEach(clouds.size(), size);
-  base::parallelFor(clouds.size(), [&](std::size_t i) {
-    clouds[i]->pictures = picturesOf(scene_, clouds[i]->lit, each);
-  });
+  base::parallelFor(clouds.size(),
+                    [&](std::size_t i) { clouds[i]->pictures = picturesOf(scene_, clouds[i]->lit, each); });
 }
 
 void FilePictures::writeSquare(QuadShapes& shapes, const TileNode& tile) const {
@@ -89,14 +87,21 @@ void FilePictures::writeCloud(NodeWriter& nodes, QuadShapes& shapes, std::uint32
   const auto& [level, upright, turning] = clouds_.at(lit).pictures;
   const std::size_t first = clouds_.at(lit).first;
   const glm::vec3 tint = tintOf(scene_, lit, sunlight);
-  QuadMesh still, turned;
-  appendQuads(level, *atlas_, first, glm::vec3(0), 1, tint, still, Outline::Tight);
-  appendQuads(turning, *atlas_, first + level.size() + upright.size(), glm::vec3(0), 1, tint, turned,
+  QuadMesh mesh;
+  if (turning.empty()) {
+    appendQuads(level, *atlas_, first, glm::vec3(0), 1, tint, mesh, Outline::Tight);
+    return write(shapes, mesh);
+  }
+  // About every axis: a level picture beside it would be a line across it for those who look from beside.
+  const glm::vec3 middle = middleOf(turning.front());
+  appendQuads(turning, *atlas_, first + level.size() + upright.size(), -middle, 1, tint, mesh,
               Outline::Tight);
-  write(shapes, still);
-  if (turning.empty()) return;
+  nodes.open("Transform");
+  nodes.vector("translation", middle, 1);
   nodes.open("Billboard");
-  write(shapes, turned);
+  nodes.vector("axisOfRotation", glm::vec3(0), 0);
+  write(shapes, mesh);
+  nodes.close();
   nodes.close();
 }
 

@@ -14,8 +14,8 @@
 
 namespace cloudgen::writer {
 
-/// Clouds of a square are flat on it if it is wide and many times as wide as they reach up: it is a sheet from
-/// afar.
+/// Clouds of a square are flat on it if it is wide and many times as wide as they reach up: it is a sheet
+/// from afar.
 bool isFlat(const TileNode& tile);
 
 /// Pixels of the pictures of a file's clouds.

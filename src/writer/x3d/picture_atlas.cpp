@@ -31,7 +31,8 @@ PictureAtlas::PictureAtlas(std::span<const image::ByteImage* const> pictures) : 
   }
 
   texture_ = {width, std::max(bottom, 1), 4, {}};
-  texture_.bytes.resize(4 * static_cast<std::size_t>(texture_.width) * static_cast<std::size_t>(texture_.height));
+  texture_.bytes.resize(4 * static_cast<std::size_t>(texture_.width) *
+                        static_cast<std::size_t>(texture_.height));
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     const auto row = 4 * static_cast<std::ptrdiff_t>(pictures[i]->width);
     for (int y = 0; y < pictures[i]->height; ++y)

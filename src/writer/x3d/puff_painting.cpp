@@ -11,8 +11,8 @@
 namespace cloudgen::writer {
 namespace {
 
-constexpr float kReach = 3;         ///< deviations
-constexpr int kFewestPixels = 6;    ///< of the shorter side
+constexpr float kReach = 3;       ///< deviations
+constexpr int kFewestPixels = 6;  ///< of the shorter side
 
 /// A puff on the plane of a sight: a Gaussian by its middle and its covariances.
 struct Footprint {
@@ -64,8 +64,9 @@ void paint(Footprint puff, const glm::vec2& lower, const glm::vec2& step, const 
   for (int row = low.y; row <= high.y; ++row)
     for (int column = low.x; column <= high.x; ++column) {
       const glm::vec2 away = lower + step * (glm::vec2(column, row) + 0.5f) - puff.middle;
-      const float q = (puff.yy * away.x * away.x - 2 * puff.xy * away.x * away.y + puff.xx * away.y * away.y) /
-                      determinant;
+      const float q =
+          (puff.yy * away.x * away.x - 2 * puff.xy * away.x * away.y + puff.xx * away.y * away.y) /
+          determinant;
       if (q > kReach * kReach) continue;
       const float alpha = -std::expm1(-puff.opticalDepth * std::exp(-0.5f * q));
       Pixel& pixel = canvas[static_cast<std::size_t>(size.y - 1 - row) * static_cast<std::size_t>(size.x) +

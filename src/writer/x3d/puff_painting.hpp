@@ -26,9 +26,9 @@ struct Sight {
 
 /// A picture of puffs on the plane of a sight.
 struct PuffPicture {
-  image::ByteImage image;         ///< straight alpha, sRGB, its first row upmost; hardly anything at the border
-  glm::vec2 lower{0}, upper{0};   ///< its corners, along right and up, metres
-  float surface = 0;              ///< mean place of what is seen, along towards, metres
+  image::ByteImage image;  ///< straight alpha, sRGB, its first row upmost; hardly anything at the border
+  glm::vec2 lower{0}, upper{0};  ///< its corners, along right and up, metres
+  float surface = 0;             ///< mean place of what is seen, along towards, metres
 };
 
 /// What has less alpha is hardly seen.

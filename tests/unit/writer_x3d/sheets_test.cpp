@@ -34,7 +34,8 @@ TEST(Sheets, CoverTheGroundThatThePuffsDo) {
   const double covering = 255 * -std::expm1(-shape::kCoveringOpticalDepth);
   for (int y = 0; y < sheet.image.height; ++y)
     for (int x = 0; x < sheet.image.width; ++x) covered += alphaAt(sheet.image, x, y) > covering;
-  const glm::dvec2 step = glm::dvec2(sheet.upper - sheet.lower) / glm::dvec2(sheet.image.width, sheet.image.height);
+  const glm::dvec2 step =
+      glm::dvec2(sheet.upper - sheet.lower) / glm::dvec2(sheet.image.width, sheet.image.height);
   const double wanted = shape::coveredSquareMeters(puffs);
   EXPECT_NEAR(covered * step.x * step.y, wanted, 0.02 * wanted);
 }
@@ -72,7 +73,7 @@ TEST(Sheets, OfAnAtlasLieWhereTheirCloudsDo) {
   EXPECT_EQ(mesh.faces.size(), 2 * mesh.quads.size());
   const glm::vec2 texture(atlas.texture().width, atlas.texture().height);
   for (const Quad& quad : mesh.quads) {
-    EXPECT_GT(glm::cross(quad.right, quad.up).y, 0);  // the front looks up
+    EXPECT_GT(glm::cross(quad.right, quad.up).y, 0);              // the front looks up
     const glm::vec3 corner = quad.center - quad.right + quad.up;  // in the north-west
     const glm::vec2 share{(corner.x - picture.lower.x) / (picture.upper.x - picture.lower.x),
                           (corner.z + picture.upper.y) / (picture.upper.y - picture.lower.y)};
