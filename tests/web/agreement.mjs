@@ -2,7 +2,7 @@
 // How well viewers agree on one sky: cover and brightness of its clouds, looked up at from the ground, as `cloudgen preview`, three.js (splats
 // and cards) and X_ITE draw them.
 //   node tests/web/agreement.mjs PROGRAM SKY.sky.json [--keep DIR]
-// Prints a JSON line: cover is the share of the picture where clouds are more than half opaque, luminance the mean where they are opaque.
+// Prints a JSON line: cover is the share of the picture where clouds are more than half opaque, luminance the mean where the splats are opaque.
 // Slow (minutes): not a part of the tests.
 import {execFileSync} from 'node:child_process';
 import {mkdir, mkdtemp, readFile, rm, writeFile} from 'node:fs/promises';
@@ -52,12 +52,10 @@ function overSky(cloudyPng, clearPng) {
   return pixels;
 }
 
-function summary(pixels) {
-  const opaque = pixels.filter((pixel) => pixel.alpha > OPAQUE);
+function summary(pixels, judged) {
   return {
     cover: +mean(pixels.map((pixel) => Number(pixel.alpha > 0.5))).toFixed(3),
-    luminance: +mean(opaque.map((pixel) => pixel.luminance)).toFixed(3),
-    opaque: +(opaque.length / pixels.length).toFixed(3),
+    luminance: +mean(pixels.filter((_, i) => judged[i]).map((pixel) => pixel.luminance)).toFixed(3),
   };
 }
 
@@ -87,7 +85,8 @@ try {
     ['x3d', 'display', (grey) => xitePicture(folder, SIZE, place, grey)],
   ])
     results[name] = overBlackAndWhite(await kept(`${name}_black.png`, await picture(0)), await kept(`${name}_white.png`, await picture(1)), blended);
-  console.log(JSON.stringify({bench: 'agreement', sky: sky.title, ...Object.fromEntries(Object.entries(results).map(([name, pixels]) => [name, summary(pixels)]))}));
+  const judged = results.splats.map((pixel) => pixel.alpha > OPAQUE);
+  console.log(JSON.stringify({bench: 'agreement', sky: sky.title, ...Object.fromEntries(Object.entries(results).map(([name, pixels]) => [name, summary(pixels, judged)]))}));
 } finally {
   if (keepWord !== '--keep') await rm(work, {recursive: true, force: true});
 }
