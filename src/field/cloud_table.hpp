@@ -26,6 +26,7 @@ struct Layer {
   /// Where kBorderShare of its optical depth lies below, and above: within base and top, and well within them
   /// where the water gathers in the middle.
   float lowerMeters = 0, upperMeters = 0;
+  float middleMeters = 0;                             ///< half of its optical depth lies below
   float fraction = 0;                                 ///< cover seen from above, 0..1
   float liquidOpticalDepth = 0, iceOpticalDepth = 0;  ///< vertical, in cloud
   float baseTemperatureK = kUnknown, topTemperatureK = kUnknown, topPressurePa = 0;
@@ -41,6 +42,7 @@ struct Layer {
   void spreadEvenly(float base, float top) {
     baseMeters = base, topMeters = top;
     lowerMeters = base + kBorderShare * (top - base), upperMeters = top - kBorderShare * (top - base);
+    middleMeters = 0.5f * (base + top);
   }
   float depthMeters() const { return topMeters - baseMeters; }
   float opticalDepth() const { return liquidOpticalDepth + iceOpticalDepth; }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -86,6 +87,17 @@ int shearClassOf(const field::Layer& layer) {
   return shear < 6 ? 0 : (shear < 18 ? 1 : 2);
 }
 
+/// Where half of the water lies, as a share of the height between those of kBorderShare, in five classes: of
+/// layers so deep that it shows.
+constexpr float kGatheringStep = 0.15f, kShallowMeters = 1000;
+
+int gatheringClassOf(const field::Layer& layer) {
+  const float depth = layer.upperMeters - layer.lowerMeters;
+  if (!(depth > kShallowMeters)) return 0;
+  const float middle = (layer.middleMeters - layer.lowerMeters) / depth;
+  return static_cast<int>(std::lround(std::clamp((middle - 0.5f) / kGatheringStep, -2.0f, 2.0f)));
+}
+
 }  // namespace
 
 std::uint64_t itemOf(const field::Layer& layer, std::uint32_t ordinal) {
@@ -115,6 +127,7 @@ ArchetypeKey shapeKeyOf(const field::Layer& layer, std::uint32_t ordinal, double
   key.shearClass = form == shape::Form::Heap || form == shape::Form::Tower ? shearClassOf(layer) : 0;
   key.variant = stream.index(kVariants);
   key.layerClass = layerClassOf(layer.opticalDepth());
+  key.gatheringClass = gatheringClassOf(layer);
   key.closed = form == shape::Form::Cells &&
                layer.fraction >= (key.layerClass <= kClosedClass ? kClosed : kWithoutGaps);
   return key;
@@ -177,6 +190,8 @@ ArchetypeShape shapeOf(const ArchetypeKey& key, const Options& options, const Ge
   const shape::Ends ends = !heaped                             ? shape::Ends::Flat
                            : recipe.form == shape::Form::Tower ? shape::Ends::Overshooting
                                                                : shape::Ends::Round;
+  if (key.gatheringClass != 0)
+    shape::gatherAt(out.cloud.puffs, 0.5 + kGatheringStep * key.gatheringClass, field::kBorderShare);
   shape::spreadBetween(out.cloud.puffs, heaped ? 0.03 : field::kBorderShare, out.depthMeters, ends);
   shape::standOverCentroid(out.cloud.puffs);
   return out;
@@ -218,9 +233,10 @@ std::string nameOf(const ArchetypeKey& key) {
   const auto text = [](int value) {
     return value < 0 ? fmt::format("m{}", -value) : fmt::format("{}", value);
   };
-  return fmt::format("{}_a{}_t{}_l{}_s{}_v{}{}", base::abbreviation(key.genus), text(key.aspectClass),
+  constexpr std::array<const char*, 5> kGathered{"_lower", "_low", "", "_high", "_higher"};
+  return fmt::format("{}_a{}_t{}_l{}_s{}_v{}{}{}", base::abbreviation(key.genus), text(key.aspectClass),
                      text(key.opticalDepthClass), text(key.layerClass), key.shearClass, key.variant,
-                     key.closed ? "_c" : "");
+                     key.closed ? "_c" : "", kGathered.at(static_cast<std::size_t>(key.gatheringClass + 2)));
 }
 
 }  // namespace cloudgen::pipeline

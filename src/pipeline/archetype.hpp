@@ -23,6 +23,7 @@ struct ArchetypeKey {
   bool closed = false;  ///< cells without gaps between them
   int layerClass =
       0;  ///< of the optical depth of its layer (layerClassOf): decides how many puffs are seen at all
+  int gatheringClass = 0;  ///< below 0: its water is gathered low in it, above 0: high
   auto operator<=>(const ArchetypeKey&) const = default;
 };
 

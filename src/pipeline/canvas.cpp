@@ -180,11 +180,11 @@ void Canvas::touch(std::uint32_t index, const Stamp& stamp, std::vector<Stroke::
                         std::max(layers_[i].zoneLowerMeters, stamp.baseMeters)) /
                        depth;
     if (part < kLeastPart) continue;
-    touched.push_back({index, i, part, 0, 0, 0});
+    touched.push_back({index, i, 0, part, 0, 0, 0});
     astray -= part;
   }
   if (astray >= kLeastPart || touched.size() == first)
-    touched.push_back({index, cell.firstLayer + cell.layerCount, astray, 0, 0, 0});
+    touched.push_back({index, cell.firstLayer + cell.layerCount, 0, astray, 0, 0, 0});
   float whole = 0;
   for (std::size_t i = first; i < touched.size(); ++i) whole += touched[i].share;
   for (std::size_t i = first; i < touched.size(); ++i) touched[i].share /= whole;
@@ -197,12 +197,12 @@ void Canvas::sample(const Stamp& stamp) {
   const double cosine = std::cos(stamp.yawRadians) * pixelMeters_ / stamp.widthMeters,
                sine = std::sin(stamp.yawRadians) * pixelMeters_ / stamp.widthMeters;
   double sum = 0;
-  const auto add = [&](int column, int row, float value) {
+  const auto add = [&](int column, int row, float value, const HeightMoments& heights) {
     sum += value;
     if (row >= 0 && row < rows_ && column >= 0 && column < columns_)
       samples_.push_back({static_cast<std::uint32_t>(row) * static_cast<std::uint32_t>(columns_) +
                               static_cast<std::uint32_t>(column),
-                          value});
+                          value, heights});
   };
   const auto pixelBelow = [](double value) { return static_cast<int>(std::floor(value)); };
   const glm::dvec2 &lower = stamp.footprint->lower(), &upper = stamp.footprint->upper();
@@ -213,12 +213,13 @@ void Canvas::sample(const Stamp& stamp) {
     if (!(span.from <= span.to)) continue;
     for (int column = pixelBelow(at.x + span.from); column <= pixelBelow(at.x + span.to); ++column) {
       const double dx = column + 0.5 - at.x;
-      const float value = stamp.footprint->at(cosine * dx - sine * dz, sine * dx + cosine * dz);
-      if (value != 0) add(column, row, value);
+      const double x = cosine * dx - sine * dz, z = sine * dx + cosine * dz;
+      const float value = stamp.footprint->at(x, z);
+      if (value != 0) add(column, row, value, stamp.footprint->heightsAt(x, z));
     }
   }
   // So small that it falls between the middles of pixels.
-  if (sum == 0) add(pixelBelow(at.x), pixelBelow(at.y), 1);
+  if (sum == 0) add(pixelBelow(at.x), pixelBelow(at.y), 1, stamp.footprint->heightsAt(0, 0));
   for (Sample& one : samples_) one.share = static_cast<float>(one.share / sum);
 }
 
@@ -246,13 +247,15 @@ std::span<const Canvas::Sample> Canvas::samplesOf(const Stamp& stamp) {
 void Canvas::brush(const Stamp& stamp, float sign, Stroke& stroke) {
   stroke.genus = stamp.key.genus;
   stroke.baseMeters = stamp.baseMeters;
+  stroke.widthMeters = stamp.widthMeters;
   stroke.dabs.clear();
   stroke.touched.clear();
+  stroke.parts.clear();
   const double whole = sign * stamp.extinctionArea / pixelSquareMeters(),
                drawn = stamp.footprint->drawnShare();
   std::int32_t lastCell = -1;
   std::size_t first = 0;
-  for (const auto& [pixel, share] : samplesOf(stamp)) {
+  for (const auto& [pixel, share, heights] : samplesOf(stamp)) {
     const std::int32_t cell = cellOf_[pixel];
     if (cell < 0) continue;
     const double depth = whole * share;
@@ -264,8 +267,13 @@ void Canvas::brush(const Stamp& stamp, float sign, Stroke& stroke) {
       if (first >= stroke.touched.size() || stroke.touched[first].cell != index) {
         first = touchedAs_[index] = static_cast<std::uint32_t>(stroke.touched.size());
         touch(index, stamp, stroke.touched);
+        stroke.touched[first].part = static_cast<std::uint32_t>(stroke.parts.size());
+        stroke.parts.push_back({index});
       }
     }
+    Stroke::Part& part = stroke.parts[stroke.touched[first].part];
+    part.opticalDepth += depth;
+    part.mean += depth * heights.mean, part.square += depth * heights.square;
     int planesChange = 0;
     for (std::size_t i = first; i < stroke.touched.size() && stroke.touched[i].cell == index; ++i) {
       Stroke::Touched& change = stroke.touched[i];
@@ -283,6 +291,7 @@ void Canvas::brush(const Stamp& stamp, float sign, Stroke& stroke) {
     if (planes == 0 && planesChange > 0) ++stroke.touched[first].coveredByAnyChange;
     if (planes > 0 && planes + planesChange == 0) --stroke.touched[first].coveredByAnyChange;
   }
+  for (Stroke::Part& part : stroke.parts) part.mean /= part.opticalDepth, part.square /= part.opticalDepth;
 }
 
 void Canvas::paint(const Stroke& stroke) {

@@ -61,15 +61,23 @@ struct Stroke {
   struct Touched {        ///< those of one cell one after the other
     std::uint32_t cell;   ///< index in Canvas::cells()
     std::uint32_t layer;  ///< index in Canvas::layers()
+    std::uint32_t part;   ///< index in parts; in its cell's first
     float share;          ///< of the stamp's optical depth
     int coveredChange;
     int coveredByAnyChange;  ///< of the cell; in its first
     double opticalDepth;
   };
+  struct Part {          ///< what of the stamp lies over one cell
+    std::uint32_t cell;  ///< index in Canvas::cells()
+    double opticalDepth = 0;
+    double mean = 0, square = 0;  ///< of heights above its base, in its widths, and of their squares
+  };
   base::Genus genus = base::Genus::Cumulus;  ///< of the stamp
   float baseMeters = 0;                      ///< of the stamp
+  double widthMeters = 0;                    ///< of the stamp
   std::vector<Dab> dabs;
   std::vector<Touched> touched;
+  std::vector<Part> parts;
 };
 
 /// The whole scene seen from above on a raster: the optical depth of each layer of each cell, and what of it
@@ -125,6 +133,7 @@ class Canvas {
   struct Sample {
     std::uint32_t pixel = 0;
     float share = 0;
+    HeightMoments heights;
   };
   /// What the samples of a stamp depend on.
   struct Lie {

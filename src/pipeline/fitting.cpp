@@ -224,12 +224,6 @@ class Fitting {
     return 0;
   }
 
-  double ownDepthChange(const Filling& filling) const {
-    for (const Stroke::Touched& touched : stroke_.touched)
-      if (touched.layer == filling.painted) return touched.opticalDepth;
-    return 0;
-  }
-
   bool isFullSheet(const Filling& filling) const {
     return recipeOf(filling).sheet && layers_[filling.layer].fraction >= kFullCover;
   }
@@ -379,8 +373,7 @@ class Fitting {
     const double change = misfit_.changeBy(stroke_);
     paint();
     // The others of its layer would hold its water: what they make of it is no reason to keep it.
-    const double asGiven = misfit_.changeOfDepth(canvas_.cells()[filling.cell],
-                                                 canvas_.layers()[filling.painted], -ownDepthChange(filling));
+    const double asGiven = misfit_.changeAsGiven(stroke_, filling.painted);
     Candidate& candidate = filling.candidates.list[filling.taken[i].candidate];
     const shape::Recipe& recipe = recipeOf(filling);
     const field::Layer& layer = layers_[filling.layer];

@@ -4,12 +4,24 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
 #include <numbers>
 
 #include "shape/blending.hpp"
 #include "shape/plan.hpp"
 
 namespace cloudgen::pipeline {
+namespace {
+
+HeightMoments momentsOf(const shape::Puff& puff, double widthMeters) {
+  const glm::mat3 axes = glm::mat3_cast(puff.rotation);
+  const double mean = puff.center.y / widthMeters,
+               deviation = glm::length(puff.sigma * glm::vec3(axes[0].y, axes[1].y, axes[2].y)) / widthMeters;
+  return {static_cast<float>(mean), static_cast<float>(mean * mean + deviation * deviation)};
+}
+
+}  // namespace
 
 Footprint::Footprint(std::span<const shape::Puff> puffs, double widthMeters)
     : Footprint(puffs, widthMeters, false) {}
@@ -37,18 +49,29 @@ Footprint::Footprint(std::span<const shape::Puff> puffs, double widthMeters, boo
   shape::PlanRaster raster(lower_, upper_, pixels_);
   const glm::dvec2 pixel = raster.pixel();
   perWidth_ = 1.0 / pixel;
+  heights_.resize(raster.values().size());
   for (const shape::Puff& puff : puffs) {
     shape::PlanGaussian plan = shape::planOf(puff, widthMeters);
     plan.xx += pixel.x * pixel.x / 12, plan.zz += pixel.y * pixel.y / 12;  // the mean over a pixel
     // In widths, as the plan: the optical depth of all of the extinction over the square of the width.
     const double peak =
         shape::extinctionArea(puff) / total / (2 * std::numbers::pi * std::sqrt(plan.determinant()));
+    const HeightMoments own = momentsOf(puff, widthMeters);
+    const auto addTo = [&](auto profile) {
+      raster.visit(plan, [&](float& value, double q) {
+        const auto here = static_cast<float>(profile(std::exp(-0.5 * q)));
+        HeightMoments& moments = heights_[static_cast<std::size_t>(&value - raster.values().data())];
+        value += here, moments.mean += here * own.mean, moments.square += here * own.square;
+      });
+    };
     if (blended)
-      raster.add(plan, shape::BlendedProfile(peak * total / (widthMeters * widthMeters)));
+      addTo(shape::BlendedProfile(peak * total / (widthMeters * widthMeters)));
     else
-      raster.add(plan, [peak](double gaussian) { return peak * gaussian; });
+      addTo([peak](double gaussian) { return peak * gaussian; });
   }
   values_ = raster.values();
+  for (std::size_t i = 0; i < values_.size(); ++i)
+    if (values_[i] > 0) heights_[i].mean /= values_[i], heights_[i].square /= values_[i];
   double painted = 0;
   for (const float value : values_) painted += value * pixel.x * pixel.y;
   if (blended) drawnShare_ = painted * widthMeters * widthMeters / total;

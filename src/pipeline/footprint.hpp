@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <glm/vec2.hpp>
 #include <map>
 #include <memory>
@@ -11,6 +12,11 @@
 #include "pipeline/archetype.hpp"
 
 namespace cloudgen::pipeline {
+
+/// Mean of heights and of their squares.
+struct HeightMoments {
+  float mean = 0, square = 0;
+};
 
 /// A cloud seen from straight above: its vertical optical depth on a square raster, as a share of what the
 /// same extinction would give spread over the square of its width. Lengths are in widths, from its origin.
@@ -33,6 +39,12 @@ class Footprint {
     return (1 - b) * ((1 - a) * here[0] + a * here[1]) +
            b * ((1 - a) * here[pixels_] + a * here[pixels_ + 1]);
   }
+  /// Heights of what is there, of the nearest pixel.
+  const HeightMoments& heightsAt(double x, double z) const {
+    const auto indexOf = [&](double place) { return std::clamp(static_cast<int>(place), 0, pixels_ - 1); };
+    return heights_[static_cast<std::size_t>(indexOf((z - lower_.y) * perWidth_.y) * pixels_ +
+                                             indexOf((x - lower_.x) * perWidth_.x))];
+  }
   /// How far it reaches from its origin.
   double reach() const { return reach_; }
   /// The box beyond which there is nothing of it.
@@ -51,6 +63,7 @@ class Footprint {
   double reach_ = 0;
   int pixels_ = 1;  ///< along each side
   std::vector<float> values_;
+  std::vector<HeightMoments> heights_;
   /// For each n: the greatest product of count and faintest value of the n or more brightest pixels.
   std::vector<float> waterOfBrightest_;
 };

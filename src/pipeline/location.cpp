@@ -48,6 +48,7 @@ Layer layerOf(std::span<const CloudCell> cells, const field::ColumnState& state,
   layer.topMeters = cells.back().topMeters;
   layer.lowerMeters = heightOfShare(cells, field::kBorderShare);
   layer.upperMeters = heightOfShare(cells, 1 - field::kBorderShare);
+  layer.middleMeters = heightOfShare(cells, 0.5);
   layer.surfaceMeters = state.surfaceHeightMeters;
   layer.baseTemperatureK = cells.front().temperatureK;
   layer.topTemperatureK = cells.back().temperatureK;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pipeline/misfit.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace cloudgen::pipeline {
@@ -15,24 +16,30 @@ constexpr double kWeightOfMean = 20, kToleratedMean = 0.01;
 constexpr double kWeightOfDepth = 0.6, kWeightOfStray = 0.2;
 /// Weight of a full sheet: a gap in it is seen sooner than one among many.
 constexpr double kWeightOfFull = 5.5;
+/// Base and top: an error of so many metres counts as one of the whole cover.
+constexpr double kMetersAsCover = 1700;
 
 double squared(double x) { return x * x; }
 
-/// Low, middle or high, by its base.
-std::size_t rangeOf(double baseMeters) {
-  constexpr double kMiddleFrom = 2000, kHighFrom = 6000;
-  return baseMeters < kMiddleFrom ? 0 : baseMeters < kHighFrom ? 1 : 2;
+/// Heights between which something is spread evenly that has a part's mean and variance of height.
+struct Extent {
+  float baseMeters, topMeters;
+};
+Extent extentOf(const Stroke::Part& part, const Stroke& stroke) {
+  const double half = std::sqrt(3 * std::max(part.square - squared(part.mean), 0.0));
+  return {static_cast<float>(stroke.baseMeters + stroke.widthMeters * (part.mean - half)),
+          static_cast<float>(stroke.baseMeters + stroke.widthMeters * (part.mean + half))};
 }
 
 }  // namespace
 
 Misfit::Misfit(const Canvas& canvas, std::span<const field::Layer> layers)
-    : canvas_(canvas), layers_(layers), wantedOfAll_(canvas.cells().size(), 0) {
+    : canvas_(canvas), layers_(layers), wantedOfAll_(canvas.cells().size(), 0), heights_(canvas, layers) {
   for (const PaintedCell& cell : canvas.cells()) pixels_ += cell.pixels;
 }
 
 double Misfit::changeBy(const Stroke& stroke) const {
-  double change = changeOfMeans(changeOfSurplus(stroke));
+  double change = changeOfMeans(changeOfSurplus(stroke)) + changeOfHeights(stroke);
   for (const Stroke::Touched& touched : stroke.touched) {
     const PaintedCell& cell = canvas_.cells()[touched.cell];
     const PaintedLayer& layer = canvas_.layers()[touched.layer];
@@ -97,7 +104,35 @@ double Misfit::changeOfMeans(const Surplus& change) const {
   return kWeightOfMean * sum / pixels_;
 }
 
+double Misfit::changeOfHeights(const Stroke& stroke) const {
+  double change = 0;
+  for (const Stroke::Part& part : stroke.parts) change += changeOfHeights(stroke, part, part.opticalDepth);
+  return change;
+}
+
+double Misfit::changeOfHeights(const Stroke& stroke, const Stroke::Part& part, double opticalDepth) const {
+  if (!judgesTheWholeSky_) return 0;
+  const Extent extent = extentOf(part, stroke);
+  return canvas_.cells()[part.cell].pixels / squared(kMetersAsCover) *
+         heights_.changeBy(part.cell, extent.baseMeters, extent.topMeters, opticalDepth);
+}
+
+double Misfit::changeAsGiven(const Stroke& taken, std::uint32_t layer) const {
+  double change = 0;
+  for (const Stroke::Touched& touched : taken.touched) {
+    if (touched.layer != layer) continue;
+    change += changeOfDepth(canvas_.cells()[touched.cell], canvas_.layers()[layer], -touched.opticalDepth);
+    for (const Stroke::Part& part : taken.parts)
+      if (part.cell == touched.cell) change += changeOfHeights(taken, part, -touched.opticalDepth);
+  }
+  return change;
+}
+
 void Misfit::note(const Stroke& stroke) {
+  for (const Stroke::Part& part : stroke.parts) {
+    const Extent extent = extentOf(part, stroke);
+    heights_.add(part.cell, extent.baseMeters, extent.topMeters, part.opticalDepth);
+  }
   const Surplus change = changeOfSurplus(stroke);
   surplus_.ofAll += change.ofAll;
   for (std::size_t g = 0; g < change.ofGenus.size(); ++g) surplus_.ofGenus[g] += change.ofGenus[g];
@@ -106,6 +141,7 @@ void Misfit::note(const Stroke& stroke) {
 
 void Misfit::restart() {
   surplus_ = {};
+  heights_.clear();
   for (const double wanted : wantedOfAll_) surplus_.ofAll -= wanted;
   for (const PaintedLayer& layer : canvas_.layers())
     if (layer.covers && layer.wantedCover > 0) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "pipeline/canvas.hpp"
+#include "pipeline/cell_heights.hpp"
 
 namespace cloudgen::pipeline {
 
@@ -13,7 +14,7 @@ namespace cloudgen::pipeline {
 inline constexpr double kFullCover = 0.985;
 
 /// How far a canvas is from what its layers want: squared errors of the cover of each layer of each cell and
-/// of all together, of optical depth, of what strays in, and of the mean cover of each genus and of low,
+/// of all together, of optical depth, of base and top, of what strays in, and of the mean cover of each genus and of low,
 /// middle and high clouds.
 class Misfit {
  public:
@@ -28,8 +29,9 @@ class Misfit {
 
   /// How much nearer (below 0) or further a stroke takes the canvas to what is wanted, in pixels.
   double changeBy(const Stroke& stroke) const;
-  /// The part of it that is of optical depth, where a layer of a cell gets so much more.
-  double changeOfDepth(const PaintedCell& cell, const PaintedLayer& layer, double opticalDepth) const;
+  /// The part of it that is undone when others of a layer (by its index in the canvas) hold what a stroke
+  /// took away from it: that of optical depth and heights of its cell.
+  double changeAsGiven(const Stroke& taken, std::uint32_t layer) const;
 
   /// A stroke was painted.
   void note(const Stroke& stroke);
@@ -41,11 +43,14 @@ class Misfit {
   /// clouds, of all.
   struct Surplus {
     std::array<double, base::kGenusCount> ofGenus{};
-    std::array<double, 3> ofRange{};
+    std::array<double, kRanges> ofRange{};
     double ofAll = 0;
   };
   static Surplus changeOfSurplus(const Stroke& stroke);
   double changeOfMeans(const Surplus& change) const;
+  double changeOfDepth(const PaintedCell& cell, const PaintedLayer& layer, double opticalDepth) const;
+  double changeOfHeights(const Stroke& stroke) const;
+  double changeOfHeights(const Stroke& stroke, const Stroke::Part& part, double opticalDepth) const;
 
   const Canvas& canvas_;
   std::span<const field::Layer> layers_;
@@ -53,6 +58,7 @@ class Misfit {
   double pixels_ = 0;                ///< of all cells
   bool judgesTheWholeSky_ = false;
   Surplus surplus_;
+  CellHeights heights_;
 };
 
 }  // namespace cloudgen::pipeline

@@ -101,6 +101,27 @@ void spreadBetween(std::span<Puff> puffs, double borderShare, double depthMeters
   for (Puff& puff : puffs) puff.center.y = std::min(puff.center.y, most - 0.3f * puff.sigma.y);
 }
 
+void gatherAt(std::span<Puff> puffs, double middle, double borderShare) {
+  constexpr double kMost = 4;
+  const std::vector<Upright> heights = uprights(puffs, false);
+  if (heights.empty()) return;
+  const double lower = heightOfShare(heights, borderShare),
+               depth = heightOfShare(heights, 1 - borderShare) - lower;
+  if (!(depth > 0)) return;
+  // The projective map of the interval onto itself that takes the one middle to the other.
+  const double now = std::clamp((heightOfShare(heights, 0.5) - lower) / depth, 0.1, 0.9);
+  const double bend = std::clamp(now * (1 - middle) / (middle * (1 - now)), 1 / kMost, kMost);
+  for (Puff& puff : puffs) {
+    const double at = (puff.center.y - lower) / depth;
+    if (fallsOut(puff) || at <= 0 || at >= 1) continue;
+    const double whole = at + bend * (1 - at);
+    puff.center.y = std::max(0.0f, static_cast<float>(lower + depth * at / whole));
+    if (isLeaning(puff)) continue;
+    const auto stretch = static_cast<float>(bend / (whole * whole));
+    puff.sigma.y *= stretch, puff.extinctionPerMeter /= stretch;
+  }
+}
+
 void standOverCentroid(std::span<Puff> puffs) {
   glm::dvec3 sum(0);
   double whole = 0;

@@ -19,6 +19,11 @@ enum class Ends { Round, Flat, Overshooting };
 /// falls out of the cloud (centres below 0) stays where it is.
 void spreadBetween(std::span<Puff> puffs, double borderShare, double depthMeters, Ends ends);
 
+/// Moves puffs up or down, and stretches them there, so that half of their extinction lies below that share
+/// of the height between those below and above which `borderShare` of it lies; these stay, near enough, where
+/// they are. No puff becomes more than four times as high, or less than a quarter.
+void gatherAt(std::span<Puff> puffs, double middle, double borderShare);
+
 /// Moves puffs sideways so that the centroid of their extinction is over the origin.
 void standOverCentroid(std::span<Puff> puffs);
 

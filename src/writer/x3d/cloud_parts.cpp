@@ -2,6 +2,7 @@
 #include "writer/x3d/cloud_parts.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
@@ -80,35 +81,51 @@ float heightDeviation(const shape::Puff& puff) {
   return glm::length(puff.sigma * glm::vec3(axes[0].y, axes[1].y, axes[2].y));
 }
 
-/// Puffs that lie in one plane stand alternately on the lower and the upper side of it; one that is alone is
-/// drawn on both, mostly on the lower: two equal quads would cover less where their flanks meet others'.
+/// Of puffs that lie in one plane a sixth stands below it and a sixth above: as high a cloud, with the mean
+/// and variance of height of theirs (Gauss-Hermite quadrature of three nodes).
 void standOnBothSides(std::vector<LitPuff>& members) {
-  constexpr float kAway = 1.5f, kUpperShare = 0.25f;
-  if (members.size() == 1) {
-    members.push_back(members.front());
-    members[0].puff.extinctionPerMeter *= 1 - kUpperShare;
-    members[1].puff.extinctionPerMeter *= kUpperShare;
-  }
-  // Neighbours go different ways: every place has some of both.
+  constexpr std::size_t kEach = 6, kBelow = 1, kAbove = 4;
+  constexpr float kAway = 1.7321f;
+  // Neighbours go different ways: every place has some of each.
   const shape::Bounds bounds = shape::boundsOf(puffsOf(members), 0);
   const int axis = bounds.upper.x - bounds.lower.x > bounds.upper.z - bounds.lower.z ? 0 : 2;
   std::stable_sort(members.begin(), members.end(), [&](const LitPuff& a, const LitPuff& b) {
     return a.puff.center[axis] < b.puff.center[axis];
   });
-  for (std::size_t i = 0; i < members.size(); ++i)
-    members[i].puff.center.y += (i % 2 ? kAway : -kAway) * heightDeviation(members[i].puff);
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    const float upwards = i % kEach == kBelow ? -kAway : i % kEach == kAbove ? kAway : 0;
+    members[i].puff.center.y += upwards * heightDeviation(members[i].puff);
+  }
+}
+
+/// Each puff as two with the same mean and variance of height. Mostly on one side: two equal quads would
+/// cover less where their flanks meet others'.
+void drawTwice(std::vector<LitPuff>& members) {
+  constexpr float kShare = 0.85f;
+  const std::size_t count = members.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    LitPuff more = members[i], less = members[i];
+    const float upwards = (i % 2 ? -1.0f : 1.0f) * heightDeviation(members[i].puff);
+    more.puff.extinctionPerMeter *= kShare, less.puff.extinctionPerMeter *= 1 - kShare;
+    more.puff.center.y -= std::sqrt((1 - kShare) / kShare) * upwards;
+    less.puff.center.y += std::sqrt(kShare / (1 - kShare)) * upwards;
+    members[i] = more;
+    members.push_back(less);
+  }
 }
 
 /// Quads have no thickness: they stand further apart, so that they begin and end where the puffs do.
 void spreadAsFlat(std::vector<LitPuff>& members) {
   constexpr double kMostStretch = 1.5;  ///< more of it would tear single puffs out of the cloud
+  constexpr std::size_t kFew = 12;      ///< a part of a cloud of so few puffs would begin or end elsewhere
   const std::vector<shape::Puff> puffs = puffsOf(members);
   const Extent wanted = extentOf(puffs, kBorderShare), ends = extentOf(puffs, kEndShare);
-  Extent flat = flatExtentOf(members);
-  if (wanted.height() > kMostStretch * flat.height()) {
-    standOnBothSides(members);
-    flat = flatExtentOf(members);
-  }
+  const auto isTooFlat = [&] {
+    return wanted.height() > kMostStretch * flatExtentOf(members).height();
+  };
+  if (members.size() > kFew && isTooFlat()) standOnBothSides(members);
+  if (members.size() <= kFew || isTooFlat()) drawTwice(members);
+  const Extent flat = flatExtentOf(members);
   if (!(flat.height() > 0.05 * wanted.height())) return;
   const double stretch = std::min(kMostStretch, wanted.height() / flat.height());
   for (LitPuff& lit : members)

@@ -55,6 +55,12 @@ TEST(Location, ASlabHasItsKnownBaseTopCoverAndDepth) {
   EXPECT_TRUE(layer.rule.empty());
 }
 
+TEST(Location, HalfOfALayersWaterLiesBelowItsMiddle) {
+  EXPECT_FLOAT_EQ(layersOf({part(2, 0.5f, 0.02f), part(3, 0.5f, 0.02f)}).front().middleMeters, 1500);
+  EXPECT_FLOAT_EQ(layersOf({part(2, 0.5f, 0.06f), part(3, 0.5f, 0.02f)}).front().middleMeters,
+                  1000 + 500 * 2 / 3.0f);
+}
+
 TEST(Location, AClearLevelParts) {
   const auto layers = layersOf({part(1, 0.3f, 0.02f), part(2, 0.3f, 0.02f), part(5, 0.8f, 0.01f)});
   ASSERT_EQ(layers.size(), 2u);

@@ -59,5 +59,17 @@ TEST(Heights, FlatEndsLeaveNothingBeyond) {
   EXPECT_LT(shareAbove(flat, 1.1 * kDepthMeters), 0.1 * shareAbove(round, 1.1 * kDepthMeters));
 }
 
+TEST(Heights, GatheredPuffsBeginAndEndWhereTheyDid) {
+  for (const double middle : {0.2, 0.35, 0.65, 0.8}) {
+    std::vector<Puff> puffs = stack();
+    gatherAt(puffs, middle, 0.05);
+    spreadBetween(puffs, 0.05, kDepthMeters, Ends::Round);
+    EXPECT_NEAR((heightOfShare(puffs, 0.5) - 50) / 900, middle, 0.06);
+    EXPECT_NEAR(heightOfShare(puffs, 0.05), 50, 30);
+    EXPECT_NEAR(heightOfShare(puffs, 0.95), 950, 30);
+    EXPECT_NEAR(wholeArea(puffs) / wholeArea(stack()), 1, 1e-3);
+  }
+}
+
 }  // namespace
 }  // namespace cloudgen::shape
