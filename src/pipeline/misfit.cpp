@@ -13,7 +13,7 @@ constexpr double kWeightOfAll = 0.5;
 /// errors of cells that all have one sign make a bias.
 constexpr double kWeightOfMean = 20, kToleratedMean = 0.01;
 /// Weight of what optical depth lacks or is too much, and of what strays in, as a squared error of cover.
-constexpr double kWeightOfDepth = 0.6, kWeightOfStray = 0.2;
+constexpr double kWeightOfDepth = 0.6, kWeightOfStray = 0.1;
 /// Weight of a full sheet: a gap in it is seen sooner than one among many.
 constexpr double kWeightOfFull = 5.5;
 /// Base and top: an error of so many metres counts as one of the whole cover.
@@ -60,16 +60,14 @@ double Misfit::changeBy(const Stroke& stroke) const {
   return change;
 }
 
-/// Optical depth counts as a share of the cell's. What strays in takes base and top of a cell with it as soon
-/// as it is more than a twentieth.
+/// Optical depth counts as a share of the cell's.
 double Misfit::changeOfDepth(const PaintedCell& cell, const PaintedLayer& layer, double opticalDepth) const {
   const double whole = cell.wantedOpticalDepth;
   if (!judgesTheWholeSky_ || !(whole > 0)) return 0;
   const bool astray = layer.wantedOpticalDepth == 0;
   const auto harm = [&](double depth) {
     const double error = squared((depth - layer.wantedOpticalDepth) / whole);
-    return astray ? kWeightOfStray * error / (error + squared(field::kBorderShare))
-                  : kWeightOfDepth * error / (error + 1);
+    return (astray ? kWeightOfStray : kWeightOfDepth) * error / (error + 1);
   };
   return cell.pixels * (harm(layer.opticalDepth + opticalDepth) - harm(layer.opticalDepth));
 }
