@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-#include "writer/x3d/cloud_pictures.hpp"
+#include "writer/x3d/picture_quads.hpp"
 #include "writer/x3d/quad_shape.hpp"
 #include "writer/x3d/sheets.hpp"
 #include "writer/x3d/tile_tree.hpp"

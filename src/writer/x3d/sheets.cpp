@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <glm/common.hpp>
 
-#include "writer/x3d/cloud_pictures.hpp"
+#include "writer/pictures/cloud_pictures.hpp"
 
 namespace cloudgen::writer {
 Sheet sheetOf(const scene::Scene& scene, std::span<const std::uint32_t> instances, int pixels) {

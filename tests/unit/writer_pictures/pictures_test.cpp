@@ -5,8 +5,8 @@
 #include <glm/geometric.hpp>
 
 #include "support/small_scene.hpp"
-#include "writer/x3d/cloud_pictures.hpp"
-#include "writer/x3d/picture_atlas.hpp"
+#include "writer/pictures/cloud_pictures.hpp"
+#include "writer/pictures/picture_atlas.hpp"
 
 namespace cloudgen::writer {
 namespace {
@@ -62,26 +62,6 @@ TEST(Pictures, OfFlatCloudsLieLevelAlone) {
     }
     if (size.y > 0.6f * std::max(size.x, size.z)) {
       EXPECT_EQ(others, 5u);
-    }
-  }
-}
-
-TEST(Pictures, QuadsStandWhereTheCloudDoes) {
-  const scene::Scene scene = test::smallScene();
-  const shape::Bounds& box = scene.archetypes[scene.lit[0].archetype].bounds;
-  const CloudPictures cloud = picturesOf(scene, 0, 64);
-  std::vector<const image::ByteImage*> images;
-  for (const CloudPicture& one : cloud.level) images.push_back(&one.picture.image);
-  const PictureAtlas atlas(images);
-  const glm::vec3 place(1000, 2000, -3000);
-  for (const Outline outline : {Outline::Whole, Outline::Tight}) {
-    QuadMesh mesh;
-    appendQuads(cloud.level, atlas, 0, place, 2, glm::vec3(1), mesh, outline);
-    ASSERT_FALSE(mesh.quads.empty());
-    EXPECT_EQ(mesh.faces.size(), mesh.quads.size());
-    for (const Quad& quad : mesh.quads) {
-      EXPECT_GE(quad.center.y, place.y + 2 * box.lower.y);
-      EXPECT_LE(quad.center.y, place.y + 2 * box.upper.y);
     }
   }
 }

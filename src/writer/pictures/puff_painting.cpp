@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "writer/x3d/puff_painting.hpp"
+#include "writer/pictures/puff_painting.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,9 +4,7 @@
 #include <vector>
 
 #include "scene/scene.hpp"
-#include "writer/x3d/picture_atlas.hpp"
-#include "writer/x3d/puff_painting.hpp"
-#include "writer/x3d/quads.hpp"
+#include "writer/pictures/puff_painting.hpp"
 
 namespace cloudgen::writer {
 
@@ -33,14 +31,6 @@ glm::vec3 middleOf(const CloudPicture& picture);
 
 /// Of a lit archetype, so many pixels along its longest side.
 CloudPictures picturesOf(const scene::Scene& scene, std::uint32_t lit, int pixels);
-
-enum class Outline : unsigned char { Whole, Tight };
-
-/// Adds the quads of pictures, `first` being the place of their first one in the atlas; moved and scaled,
-/// their colours multiplied by `tint`; one a picture, or tight ones around what is seen. Their faces are not
-/// in order yet: orderFaces, level ones first.
-void appendQuads(std::span<const CloudPicture> pictures, const PictureAtlas& atlas, std::size_t first,
-                 const glm::vec3& place, float scale, const glm::vec3& tint, QuadMesh& mesh, Outline outline);
 
 /// What multiplies the pictures of a lit archetype where other clouds leave it a share of the sun.
 glm::vec3 tintOf(const scene::Scene& scene, std::uint32_t lit, float sunlight);
