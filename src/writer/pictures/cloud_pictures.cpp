@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/common.hpp>
-#include <glm/gtc/quaternion.hpp>
+#include <glm/geometric.hpp>
 #include <numbers>
+#include <tuple>
 
 #include "light/color.hpp"
 #include "light/shade.hpp"
@@ -13,33 +15,16 @@
 namespace cloudgen::writer {
 namespace {
 
-const glm::vec3 kX(1, 0, 0), kY(0, 1, 0), kZ(0, 0, 1);
-const Sight kFromAbove{kX, -kZ, kY}, kFromBelow{kX, kZ, -kY};
-/// The four sides, as pairs that look at each other.
-const std::array<std::pair<Sight, Sight>, 2> kAcross{
-    {{{kX, kY, kZ}, {-kX, kY, -kZ}}, {{-kZ, kY, kX}, {kZ, kY, -kX}}}};
-
 constexpr float kFlat = 0.35f;    ///< height to width of what is flat
 constexpr float kCoarser = 0.4f;  ///< what is seen from far off only, or from below
-
-std::vector<ColoredPuff> turned(const scene::Scene& scene, const scene::LitArchetype& lit) {
-  const scene::Archetype& archetype = scene.archetypes[lit.archetype];
-  const glm::quat turn = glm::angleAxis(scene::yawRadians(lit.yawStep), kY);
-  std::vector<ColoredPuff> out;
-  for (std::size_t i = 0; i < archetype.puffs.size(); ++i) {
-    shape::Puff puff = archetype.puffs[i];
-    puff.center = turn * puff.center;
-    puff.rotation = turn * puff.rotation;
-    out.push_back({puff, light::srgbFromLinear(lit.puffs[i].color)});
-  }
-  return out;
-}
+constexpr float kFiner = 0.7f;    ///< the upright ones of a stack, which stand for a turning one
 
 /// From beside the sun: half of what one sees is lit, as it is from all sides on the whole.
 Sight besideSun(const light::Sun& sun) {
+  constexpr glm::vec3 kUp(0, 1, 0);
   const double azimuth = (sun.azimuthDegrees + 60) * std::numbers::pi / 180;
   const glm::vec3 towards(std::sin(azimuth), 0, -std::cos(azimuth));
-  return {glm::cross(kY, towards), kY, towards};
+  return {glm::cross(kUp, towards), kUp, towards};
 }
 
 /// The height at which a cloud is widest.
@@ -58,20 +43,43 @@ float widestHeight(std::span<const shape::Puff> puffs, const shape::Bounds& box)
   return box.lower.y + step * (static_cast<float>(widest - slices.begin()) + 0.5f);
 }
 
+/// Those from above upwards, then those from below downwards.
+std::vector<CloudPicture> levelPictures(const LitCloud& cloud, const std::vector<Part>& layers, float pixelsPerMeter,
+                                        float fromBelow) {
+  std::vector<CloudPicture> pictures;
+  for (auto layer = layers.begin(); layer != layers.end(); ++layer)
+    pictures.push_back(cloud.seen(*layer, kFromAbove, pixelsPerMeter));
+  for (auto layer = layers.rbegin(); layer != layers.rend(); ++layer)
+    pictures.push_back(cloud.seen(*layer, kFromBelow, fromBelow * pixelsPerMeter));
+  return pictures;
+}
+
+bool isFlat(const LitCloud& cloud) { return cloud.size().y < kFlat * cloud.width(); }
+
+std::vector<Part> flatLayers(const LitCloud& cloud) {
+  constexpr float kThin = 0.1f;  // height to width of what one layer shows
+  return cloud.size().y < kThin * cloud.width() ? std::vector<Part>{cloud.whole()} : cloud.layers(1, 2);
+}
+
+float pixelsPerMeterOf(const LitCloud& cloud, int pixels) {
+  return static_cast<float>(pixels) / std::max({cloud.width(), cloud.size().y, 1e-3f});
+}
+
 }  // namespace
 
 void appendColored(const scene::Scene& scene, const scene::Instance& instance,
-                   std::vector<ColoredPuff>& out) {
+                   const Sight& sight, std::vector<ColoredPuff>& out) {
   constexpr std::size_t kMostPuffs = 2000;
   const scene::LitArchetype& lit = scene.lit[instance.lit];
   const scene::Archetype& archetype = scene.archetypes[lit.archetype];
   const bool inFull = archetype.puffs.size() <= kMostPuffs || archetype.farPuffs.empty();
   const auto& puffs = inFull ? archetype.puffs : archetype.farPuffs;
   const auto& lights = inFull ? lit.puffs : lit.farPuffs;
-  const glm::vec3 dimming = light::dimming(instance.sunlight, scene.sun.color, scene.sky);
-  for (std::size_t p = 0; p < puffs.size(); ++p)
-    out.push_back(
-        {scene::placed(scene, instance, puffs[p]), light::srgbFromLinear(dimming * lights[p].color)});
+  for (std::size_t p = 0; p < puffs.size(); ++p) {
+    const light::PuffLight left = light::inShadow(lights[p], instance.sunlight, scene.sun.color, scene.sky);
+    out.push_back({scene::placed(scene, instance, puffs[p]),
+                   light::encoded(left, scene.sun.color).seenAt(meanCosine(sight, scene.sun))});
+  }
 }
 
 glm::vec3 middleOf(const CloudPicture& one) {
@@ -79,34 +87,57 @@ glm::vec3 middleOf(const CloudPicture& one) {
   return middle.x * one.sight.right + middle.y * one.sight.up + one.picture.surface * one.sight.towards;
 }
 
+int pixelsOfEach(std::size_t clouds, double squares, const PictureSize& size) {
+  constexpr int kFewestPixels = 24;
+  const double each = size.together / (squares * static_cast<double>(std::max<std::size_t>(clouds, 1)));
+  return std::clamp(static_cast<int>(std::sqrt(each)), kFewestPixels, size.longestSide);
+}
+
 CloudPictures picturesOf(const scene::Scene& scene, std::uint32_t lit, int pixels) {
-  const std::vector<ColoredPuff> puffs = turned(scene, scene.lit[lit]);
-  std::vector<shape::Puff> bare;
-  for (const ColoredPuff& puff : puffs) bare.push_back(puff.puff);
-  const shape::Bounds box = shape::boundsOf(bare, 2);
-  const glm::vec3 size = box.upper - box.lower;
-  const float width = std::max(size.x, size.z), longest = std::max(width, size.y);
-  const float pixelsPerMeter = static_cast<float>(pixels) / std::max(longest, 1e-3f);
-  const auto painted = [&](const Sight& sight, float fineness) {
-    return CloudPicture{paintedPuffs(puffs, sight, fineness * pixelsPerMeter), sight};
-  };
+  const LitCloud cloud(scene, lit, 1);
+  const float pixelsPerMeter = pixelsPerMeterOf(cloud, pixels);
   CloudPictures all;
-  all.level = {painted(kFromAbove, 1), painted(kFromBelow, kCoarser)};
-  if (size.y < kFlat * width) return all;
+  if (isFlat(cloud)) {
+    all.level = levelPictures(cloud, flatLayers(cloud), pixelsPerMeter, 1);
+    return all;
+  }
+  all.level = levelPictures(cloud, {cloud.whole()}, pixelsPerMeter, kCoarser);
   // Lower down they would be seen as brims below what stands.
-  all.level[0].picture.surface = std::max(widestHeight(bare, box), 0.5f * (box.lower.y + box.upper.y));
+  const shape::Bounds& box = cloud.box();
+  all.level[0].picture.surface = std::max(widestHeight(cloud.puffs(), box), 0.5f * (box.lower.y + box.upper.y));
   all.level[1].picture.surface = -all.level[0].picture.surface;
-  for (const auto& [one, other] : kAcross) {
-    CloudPicture front = painted(one, kCoarser), back = painted(other, kCoarser);
+  for (const auto& [one, other] : {std::pair{kFromSouth, kFromNorth}, {kFromEast, kFromWest}}) {
+    CloudPicture front = cloud.seen(cloud.whole(), one, kCoarser * pixelsPerMeter),
+                 back = cloud.seen(cloud.whole(), other, kCoarser * pixelsPerMeter);
     front.picture.surface = 0.5f * (front.picture.surface - back.picture.surface);
     back.picture.surface = -front.picture.surface;
     all.upright.push_back(std::move(front));
     all.upright.push_back(std::move(back));
   }
-  all.turning = {painted(besideSun(scene.sun), 1)};
+  all.turning = {cloud.seenAt(0, cloud.whole(), besideSun(scene.sun), pixelsPerMeter)};
   all.turning[0].picture.surface = 0;
-  all.turning[0].sight = kAcross[0].first;
+  all.turning[0].sight = kFromSouth;
   return all;
+}
+
+std::vector<CloudPicture> stackedPictures(const scene::Scene& scene, std::uint32_t lit, int pixels,
+                                          float opticalDepthFactor) {
+  constexpr int kLayers = 3;
+  // Two upright stacks are met by a level look, by the mean of the cosine and the sine 4 / pi of one.
+  constexpr float kUprightShare = std::numbers::pi_v<float> / 4;
+  const LitCloud cloud(scene, lit, opticalDepthFactor);
+  const float pixelsPerMeter = pixelsPerMeterOf(cloud, pixels);
+  if (isFlat(cloud)) return levelPictures(cloud, flatLayers(cloud), pixelsPerMeter, 1);
+  auto pictures = levelPictures(cloud, cloud.layers(1, kLayers), pixelsPerMeter, kCoarser);
+  for (const auto& [axis, front, back] : {std::tuple{2, kFromSouth, kFromNorth}, {0, kFromEast, kFromWest}}) {
+    auto layers = cloud.layers(axis, kLayers);
+    for (const Part& layer : layers)
+      pictures.push_back(cloud.seen(layer, front, kFiner * pixelsPerMeter, kUprightShare));
+    std::ranges::reverse(layers);
+    for (const Part& layer : layers)
+      pictures.push_back(cloud.seen(layer, back, kFiner * pixelsPerMeter, kUprightShare));
+  }
+  return pictures;
 }
 
 glm::vec3 tintOf(const scene::Scene& scene, std::uint32_t lit, float sunlight) {

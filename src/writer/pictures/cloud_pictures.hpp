@@ -3,25 +3,20 @@
 
 #include <vector>
 
-#include "scene/scene.hpp"
-#include "writer/pictures/puff_painting.hpp"
+#include "writer/pictures/lit_cloud.hpp"
 
 namespace cloudgen::writer {
 
-/// The puffs of an instance in the scene frame, as they are lit; its far puffs where there are so many that
-/// nobody would see them.
-void appendColored(const scene::Scene& scene, const scene::Instance& instance, std::vector<ColoredPuff>& out);
-
-/// A picture of a cloud, in the cloud's own metres under its heading: a quad with one face.
-struct CloudPicture {
-  PuffPicture picture;
-  Sight sight;
-};
+/// The puffs of an instance in the scene frame, as they are lit where one looks; its far puffs where there are so
+/// many that nobody would see them.
+void appendColored(const scene::Scene& scene, const scene::Instance& instance, const Sight& sight,
+                   std::vector<ColoredPuff>& out);
 
 /// A cloud as pictures within it. Level ones from above and below lie in the middle of its height, or where
-/// it is widest if that is higher; a flat cloud has no others: from above they would be seen as bright lines.
+/// it is widest if that is higher; a flat cloud has no others (from above they would be seen as bright lines) but
+/// these in two layers, if it has some height: at a slant one sees its sides between them.
 struct CloudPictures {
-  std::vector<CloudPicture> level;
+  std::vector<CloudPicture> level;    ///< those from above upwards, then those from below downwards
   std::vector<CloudPicture> upright;  ///< from its four sides, for far off
   std::vector<CloudPicture> turning;  ///< one, to be turned to the viewer about its middle
 };
@@ -29,8 +24,25 @@ struct CloudPictures {
 /// Of the quad of a picture.
 glm::vec3 middleOf(const CloudPicture& picture);
 
+/// Pixels of the pictures of a file's clouds.
+struct PictureSize {
+  double together = 0;  ///< of all of them, about
+  int longestSide = 0;  ///< of a cloud, at most
+};
+
+/// Along the longest side of each of so many clouds, whose pictures fill together so many squares of it each, about.
+int pixelsOfEach(std::size_t clouds, double squares, const PictureSize& size);
+
 /// Of a lit archetype, so many pixels along its longest side.
 CloudPictures picturesOf(const scene::Scene& scene, std::uint32_t lit, int pixels);
+
+/// The same cloud for viewers that turn nothing, in the order in which they are drawn, the far ones of each way of
+/// looking first: three layers across each axis, each with the puffs about it alone. So an edge that one sees is no
+/// longer than the cloud there, and from any side as much is met of it. A flat cloud has level ones alone.
+std::vector<CloudPicture> stackedPictures(const scene::Scene& scene, std::uint32_t lit, int pixels,
+                                          float opticalDepthFactor);
+/// How many squares of a cloud's longest side they fill, about.
+inline constexpr double kStackedSquares = 6;
 
 /// What multiplies the pictures of a lit archetype where other clouds leave it a share of the sun.
 glm::vec3 tintOf(const scene::Scene& scene, std::uint32_t lit, float sunlight);

@@ -18,12 +18,6 @@ namespace cloudgen::writer {
 /// from afar.
 bool isFlat(const TileNode& tile);
 
-/// Pixels of the pictures of a file's clouds.
-struct PictureSize {
-  double together = 0;  ///< of all of them, about
-  int longestSide = 0;  ///< of a cloud, at most
-};
-
 /// All pictures of one file in one texture: sheets of its flat squares, and of its clouds what they are from
 /// all sides.
 class FilePictures {

@@ -8,7 +8,8 @@ void appendQuads(std::span<const CloudPicture> pictures, const PictureAtlas& atl
                  Outline outline) {
   constexpr int kCells = 10;
   for (std::size_t i = 0; i < pictures.size(); ++i) {
-    const auto& [picture, sight] = pictures[i];
+    const PuffPicture& picture = pictures[i].picture;
+    const Sight& sight = pictures[i].sight;
     const glm::vec2 size(picture.image.width, picture.image.height),
         step = (picture.upper - picture.lower) / size;
     const std::vector<glm::ivec4> whole{{0, 0, picture.image.width, picture.image.height}};

@@ -9,9 +9,9 @@
 namespace cloudgen::writer {
 Sheet sheetOf(const scene::Scene& scene, std::span<const std::uint32_t> instances, int pixels) {
   std::vector<ColoredPuff> puffs;
-  for (const std::uint32_t i : instances) appendColored(scene, scene.instances[i], puffs);
+  for (const std::uint32_t i : instances) appendColored(scene, scene.instances[i], kFromAbove, puffs);
   Sheet sheet;
-  sheet.picture = paintedPuffs(puffs, {{1, 0, 0}, {0, 0, -1}, {0, 1, 0}}, pixels);
+  sheet.picture = paintedPuffs(puffs, kFromAbove, pixels);
   sheet.patches = patchesOf(sheet.picture.image, 16);
   return sheet;
 }
