@@ -7,7 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <numbers>
-#include <tuple>
+#include <utility>
 
 #include "light/color.hpp"
 #include "light/shade.hpp"
@@ -17,7 +17,7 @@ namespace {
 
 constexpr float kFlat = 0.35f;    ///< height to width of what is flat
 constexpr float kCoarser = 0.4f;  ///< what is seen from far off only, or from below
-constexpr float kFiner = 0.7f;    ///< the upright ones of a stack, which stand for a turning one
+constexpr float kFiner = 0.7f;    ///< the upright ones of a shell, which stand for a turning one
 
 /// From beside the sun: half of what one sees is lit, as it is from all sides on the whole.
 Sight besideSun(const light::Sun& sun) {
@@ -44,13 +44,13 @@ float widestHeight(std::span<const shape::Puff> puffs, const shape::Bounds& box)
 }
 
 /// Those from above upwards, then those from below downwards.
-std::vector<CloudPicture> levelPictures(const LitCloud& cloud, const std::vector<Part>& layers, float pixelsPerMeter,
-                                        float fromBelow) {
+std::vector<CloudPicture> levelPictures(const LitCloud& cloud, const std::vector<Part>& layers, const Fineness& above,
+                                        const Fineness& below) {
   std::vector<CloudPicture> pictures;
   for (auto layer = layers.begin(); layer != layers.end(); ++layer)
-    pictures.push_back(cloud.seen(*layer, kFromAbove, pixelsPerMeter));
+    pictures.push_back(cloud.seen(*layer, kFromAbove, above));
   for (auto layer = layers.rbegin(); layer != layers.rend(); ++layer)
-    pictures.push_back(cloud.seen(*layer, kFromBelow, fromBelow * pixelsPerMeter));
+    pictures.push_back(cloud.seen(*layer, kFromBelow, below));
   return pictures;
 }
 
@@ -98,45 +98,43 @@ CloudPictures picturesOf(const scene::Scene& scene, std::uint32_t lit, int pixel
   const float pixelsPerMeter = pixelsPerMeterOf(cloud, pixels);
   CloudPictures all;
   if (isFlat(cloud)) {
-    all.level = levelPictures(cloud, flatLayers(cloud), pixelsPerMeter, 1);
+    all.level = levelPictures(cloud, flatLayers(cloud), {pixelsPerMeter}, {pixelsPerMeter});
     return all;
   }
-  all.level = levelPictures(cloud, {cloud.whole()}, pixelsPerMeter, kCoarser);
+  all.level = levelPictures(cloud, {cloud.whole()}, {pixelsPerMeter}, {kCoarser * pixelsPerMeter});
   // Lower down they would be seen as brims below what stands.
   const shape::Bounds& box = cloud.box();
   all.level[0].picture.surface = std::max(widestHeight(cloud.puffs(), box), 0.5f * (box.lower.y + box.upper.y));
   all.level[1].picture.surface = -all.level[0].picture.surface;
   for (const auto& [one, other] : {std::pair{kFromSouth, kFromNorth}, {kFromEast, kFromWest}}) {
-    CloudPicture front = cloud.seen(cloud.whole(), one, kCoarser * pixelsPerMeter),
-                 back = cloud.seen(cloud.whole(), other, kCoarser * pixelsPerMeter);
+    CloudPicture front = cloud.seen(cloud.whole(), one, {kCoarser * pixelsPerMeter}),
+                 back = cloud.seen(cloud.whole(), other, {kCoarser * pixelsPerMeter});
     front.picture.surface = 0.5f * (front.picture.surface - back.picture.surface);
     back.picture.surface = -front.picture.surface;
     all.upright.push_back(std::move(front));
     all.upright.push_back(std::move(back));
   }
-  all.turning = {cloud.seenAt(0, cloud.whole(), besideSun(scene.sun), pixelsPerMeter)};
+  all.turning = {cloud.seenAt(0, cloud.whole(), besideSun(scene.sun), {pixelsPerMeter})};
   all.turning[0].picture.surface = 0;
   all.turning[0].sight = kFromSouth;
   return all;
 }
 
-std::vector<CloudPicture> stackedPictures(const scene::Scene& scene, std::uint32_t lit, int pixels,
-                                          float opticalDepthFactor) {
-  constexpr int kLayers = 3;
-  // Two upright stacks are met by a level look, by the mean of the cosine and the sine 4 / pi of one.
+std::vector<CloudPicture> shellPictures(const scene::Scene& scene, std::uint32_t lit, int pixels,
+                                        float opticalDepthFactor) {
+  constexpr int kReliefCells = 14;
+  constexpr float kSheer = 1;  // mean optical depth of what shows no sides
+  // Level looks meet two upright sides, by the mean of the cosine and the sine 4 / pi of one.
   constexpr float kUprightShare = std::numbers::pi_v<float> / 4;
   const LitCloud cloud(scene, lit, opticalDepthFactor);
   const float pixelsPerMeter = pixelsPerMeterOf(cloud, pixels);
-  if (isFlat(cloud)) return levelPictures(cloud, flatLayers(cloud), pixelsPerMeter, 1);
-  auto pictures = levelPictures(cloud, cloud.layers(1, kLayers), pixelsPerMeter, kCoarser);
-  for (const auto& [axis, front, back] : {std::tuple{2, kFromSouth, kFromNorth}, {0, kFromEast, kFromWest}}) {
-    auto layers = cloud.layers(axis, kLayers);
-    for (const Part& layer : layers)
-      pictures.push_back(cloud.seen(layer, front, kFiner * pixelsPerMeter, kUprightShare));
-    std::ranges::reverse(layers);
-    for (const Part& layer : layers)
-      pictures.push_back(cloud.seen(layer, back, kFiner * pixelsPerMeter, kUprightShare));
-  }
+  const Fineness fine{pixelsPerMeter, kReliefCells}, side{kFiner * pixelsPerMeter, kReliefCells},
+      coarse{kCoarser * pixelsPerMeter, kReliefCells};
+  if (isFlat(cloud) || cloud.meanOpticalDepth() < kSheer)
+    return levelPictures(cloud, flatLayers(cloud), fine, fine);
+  auto pictures = levelPictures(cloud, {cloud.whole()}, fine, coarse);
+  for (const Sight& sight : {kFromSouth, kFromNorth, kFromEast, kFromWest})
+    pictures.push_back(cloud.seen(cloud.whole(), sight, side, kUprightShare));
   return pictures;
 }
 

@@ -36,13 +36,12 @@ int pixelsOfEach(std::size_t clouds, double squares, const PictureSize& size);
 /// Of a lit archetype, so many pixels along its longest side.
 CloudPictures picturesOf(const scene::Scene& scene, std::uint32_t lit, int pixels);
 
-/// The same cloud for viewers that turn nothing, in the order in which they are drawn, the far ones of each way of
-/// looking first: three layers across each axis, each with the puffs about it alone. So an edge that one sees is no
-/// longer than the cloud there, and from any side as much is met of it. A flat cloud has level ones alone.
-std::vector<CloudPicture> stackedPictures(const scene::Scene& scene, std::uint32_t lit, int pixels,
-                                          float opticalDepthFactor);
+/// The same cloud for viewers that turn nothing: pictures from above, below and four sides, each with the relief of
+/// what it shows, which is one surface from everywhere; a flat or sheer cloud has level ones alone. Level ones come first.
+std::vector<CloudPicture> shellPictures(const scene::Scene& scene, std::uint32_t lit, int pixels,
+                                        float opticalDepthFactor);
 /// How many squares of a cloud's longest side they fill, about.
-inline constexpr double kStackedSquares = 6;
+inline constexpr double kShellSquares = 3;
 
 /// What multiplies the pictures of a lit archetype where other clouds leave it a share of the sun.
 glm::vec3 tintOf(const scene::Scene& scene, std::uint32_t lit, float sunlight);

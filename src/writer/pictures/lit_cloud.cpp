@@ -25,6 +25,12 @@ LitCloud::LitCloud(const scene::Scene& scene, std::uint32_t lit, float opticalDe
 
 float LitCloud::width() const { return std::max(size().x, size().z); }
 
+float LitCloud::meanOpticalDepth() const {
+  double sum = 0;
+  for (const shape::Puff& puff : puffs_) sum += shape::extinctionArea(puff);
+  return static_cast<float>(sum / std::max(static_cast<double>(size().x * size().z), 1e-9));
+}
+
 Part LitCloud::whole() const {
   Part all(puffs_.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
@@ -47,20 +53,18 @@ std::vector<Part> LitCloud::layers(int axis, int count) const {
   return parts;
 }
 
-CloudPicture LitCloud::seen(const Part& part, const Sight& sight, float pixelsPerMeter, float share) const {
-  return seenAt(meanCosine(sight, sun_), part, sight, pixelsPerMeter, share);
+CloudPicture LitCloud::seen(const Part& part, const Sight& sight, const Fineness& fineness, float share) const {
+  return seenAt(meanCosine(sight, sun_), part, sight, fineness, share);
 }
 
-CloudPicture LitCloud::seenAt(float cosine, const Part& part, const Sight& sight, float pixelsPerMeter,
+CloudPicture LitCloud::seenAt(float cosine, const Part& part, const Sight& sight, const Fineness& fineness,
                               float share) const {
   std::vector<ColoredPuff> colored;
-  double extinctionArea = 0;
   for (const std::size_t i : part) {
     colored.push_back({puffs_[i], lights_[i].seenAt(cosine)});
     colored.back().puff.extinctionPerMeter *= share;
-    extinctionArea += shape::extinctionArea(colored.back().puff);
   }
-  return {paintedPuffs(colored, sight, pixelsPerMeter), sight, extinctionArea};
+  return {paintedPuffs(colored, sight, fineness.pixelsPerMeter, fineness.reliefCells), sight};
 }
 
 float meanCosine(const Sight& sight, const light::Sun& sun) {

@@ -16,7 +16,11 @@ inline constexpr Sight kFromAbove{{1, 0, 0}, {0, 0, -1}, {0, 1, 0}}, kFromBelow{
 struct CloudPicture {
   PuffPicture picture;
   Sight sight;
-  double extinctionArea = 0;  ///< of its puffs together, m2 (shape::extinctionArea)
+};
+
+struct Fineness {
+  float pixelsPerMeter = 0;
+  int reliefCells = 0;  ///< along the longer side of a picture, or no relief
 };
 
 /// Some of the puffs of a cloud, by their index.
@@ -31,6 +35,8 @@ class LitCloud {
   glm::vec3 size() const { return box_.upper - box_.lower; }
   /// The longer of its two level sides.
   float width() const;
+  /// Through the box from above.
+  float meanOpticalDepth() const;
   const std::vector<shape::Puff>& puffs() const { return puffs_; }
 
   Part whole() const;
@@ -39,9 +45,9 @@ class LitCloud {
 
   /// A picture of some of its puffs, `share` of their optical depth in it: for a plane that does not turn, as it is
   /// seen on the whole by all who stand before it.
-  CloudPicture seen(const Part& part, const Sight& sight, float pixelsPerMeter, float share = 1) const;
+  CloudPicture seen(const Part& part, const Sight& sight, const Fineness& fineness, float share = 1) const;
   /// The same as one sees it who looks at an angle of this cosine to the sun.
-  CloudPicture seenAt(float cosine, const Part& part, const Sight& sight, float pixelsPerMeter,
+  CloudPicture seenAt(float cosine, const Part& part, const Sight& sight, const Fineness& fineness,
                       float share = 1) const;
 
  private:

@@ -35,10 +35,27 @@ void fillGaps(Relief& relief, std::vector<bool> isKnown, float otherwise) {
     if (!isKnown[at]) relief.nearness[at] = otherwise;
 }
 
+/// Takes the mean with the neighbours: what stands before something else would hang together with it by walls.
+void smoothen(Relief& relief) {
+  const auto blur = [&](int columnStep, int rowStep) {
+    const std::vector<float> before = relief.nearness;
+    const auto at = [&](int column, int row) {
+      return before[relief.vertex(std::clamp(column, 0, relief.columns), std::clamp(row, 0, relief.rows))];
+    };
+    for (int row = 0; row <= relief.rows; ++row)
+      for (int column = 0; column <= relief.columns; ++column)
+        relief.nearness[relief.vertex(column, row)] = 0.5f * at(column, row) +
+                                                      0.25f * at(column - columnStep, row - rowStep) +
+                                                      0.25f * at(column + columnStep, row + rowStep);
+  };
+  blur(1, 0);
+  blur(0, 1);
+}
+
 }  // namespace
 
 Relief reliefOf(const image::ByteImage& picture, float surface, const Cutting& cutting, int cells) {
-  constexpr float kLeastAlpha = 0.02f;  // mean, of what tells a place
+  constexpr float kLeastAlpha = 0.05f;  // mean, of what tells a place
   const glm::ivec2 size(picture.width, picture.height);
   const float step = static_cast<float>(std::max(size.x, size.y)) / static_cast<float>(cells);
   Relief relief;
@@ -64,6 +81,7 @@ Relief reliefOf(const image::ByteImage& picture, float surface, const Cutting& c
       relief.opticalDepth.push_back(sum.opticalDepth / (cell.x * cell.y));
     }
   fillGaps(relief, std::move(isKnown), surface);
+  smoothen(relief);
   const auto isSeen = [&](int column, int row) {
     const glm::ivec2 low = glm::max(glm::ivec2(glm::floor(cell * glm::vec2(column, row))) - 1, 0),
                      high = glm::min(glm::ivec2(glm::ceil(cell * glm::vec2(column + 1, row + 1))) + 1, size);
