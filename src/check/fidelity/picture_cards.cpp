@@ -53,7 +53,7 @@ Card cardOf(const PictureMesh& mesh, std::span<const std::uint32_t> vertices) {
 
 /// The cells of a relief in which a column meets something, each as a sprite that spreads it over the cell.
 void addCellsOf(const PictureMesh& mesh, std::vector<Card>& cards) {
-  constexpr float kDeviation = 0.4f;  // in sides of the cell: smooth across cells, and hardly beyond the outmost
+  constexpr float kDeviation = 0.33f;  // in sides of the cell: smooth across cells, and hardly beyond the outmost
   constexpr float kCentralShare =
       1 / (2 * std::numbers::pi_v<float> * kDeviation * kDeviation * kWithinCard);
   for (std::size_t t = 0; t < mesh.triangles.size(); t += 6) {

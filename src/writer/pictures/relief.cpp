@@ -52,6 +52,29 @@ void smoothen(Relief& relief) {
   blur(0, 1);
 }
 
+/// Of the pixels next to each vertex: means over cells would cover more ground. Cells together hold what pixels do.
+void takeOpticalDepths(Relief& relief, const glm::ivec2& size, const Cutting& cutting) {
+  constexpr float kNext = 0.25f;  // of a cell
+  const glm::vec2 cell = glm::vec2(size) / glm::vec2(relief.columns, relief.rows);
+  for (int row = 0; row <= relief.rows; ++row)
+    for (int column = 0; column <= relief.columns; ++column) {
+      const glm::vec2 middle = cell * glm::vec2(column, row);
+      const glm::ivec2 low = glm::clamp(glm::ivec2(glm::round(middle - kNext * cell)), glm::ivec2(0), size - 1),
+                       high = glm::clamp(glm::ivec2(glm::round(middle + kNext * cell)), low + 1, size);
+      float sum = 0;
+      for (int y = low.y; y < high.y; ++y)
+        for (int x = low.x; x < high.x; ++x) sum += cutting.at(x, y).opticalDepth;
+      relief.opticalDepth.push_back(sum / static_cast<float>((high.x - low.x) * (high.y - low.y)));
+    }
+  double held = 0, wanted = 0;
+  for (const auto& [column, row] : relief.shown)
+    for (const auto& [right, down] : {std::pair{0, 0}, {1, 0}, {0, 1}, {1, 1}})
+      held += 0.25 * static_cast<double>(cell.x * cell.y * relief.opticalDepth[relief.vertex(column + right, row + down)]);
+  for (int y = 0; y < size.y; ++y)
+    for (int x = 0; x < size.x; ++x) wanted += static_cast<double>(cutting.at(x, y).opticalDepth);
+  for (float& one : relief.opticalDepth) one *= held > 0 ? static_cast<float>(wanted / held) : 0;
+}
+
 }  // namespace
 
 Relief reliefOf(const image::ByteImage& picture, float surface, const Cutting& cutting, int cells) {
@@ -74,11 +97,9 @@ Relief reliefOf(const image::ByteImage& picture, float surface, const Cutting& c
           const PaintedPixel& pixel = cutting.at(x, y);
           sum.alpha += pixel.alpha;
           sum.nearness += pixel.nearness;
-          sum.opticalDepth += pixel.opticalDepth;
         }
       isKnown.push_back(sum.alpha > kLeastAlpha * cell.x * cell.y);
       relief.nearness.push_back(isKnown.back() ? sum.nearness / sum.alpha : 0);
-      relief.opticalDepth.push_back(sum.opticalDepth / (cell.x * cell.y));
     }
   fillGaps(relief, std::move(isKnown), surface);
   smoothen(relief);
@@ -98,6 +119,7 @@ Relief reliefOf(const image::ByteImage& picture, float surface, const Cutting& c
     return relief.nearness[upper] + relief.nearness[upper + 1] + relief.nearness[lower] + relief.nearness[lower + 1];
   };
   std::ranges::stable_sort(relief.shown, {}, nearness);
+  takeOpticalDepths(relief, size, cutting);
   return relief;
 }
 

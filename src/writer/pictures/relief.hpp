@@ -26,7 +26,7 @@ struct PaintedPixel {
 struct Relief {
   int columns = 0, rows = 0;              ///< cells
   std::vector<float> nearness;            ///< mean place of what is seen about a vertex, along towards, metres
-  std::vector<float> opticalDepth;        ///< mean about a vertex
+  std::vector<float> opticalDepth;        ///< at a vertex; the cells that are shown hold all of the picture's
   std::vector<std::array<int, 2>> shown;  ///< column and row of cells where something is seen, far ones first
 
   std::size_t vertex(int column, int row) const {

@@ -88,7 +88,7 @@ TEST(GlbScene, AReliefHasACardACellThatHoldsWhatItStates) {
     held += 2 * std::numbers::pi * kWithinCard *
             static_cast<double>(scene.blobs[i].strength *
                                 std::abs(glm::cross(scene.blobs[i].right(), scene.blobs[i].up()).y));
-  EXPECT_NEAR(held, 3 * 44 * 22, 3);
+  EXPECT_NEAR(held, 3 * 44 * 22, 3) << "whatever the spread within a cell";
   EXPECT_NEAR(scene.blobs[0].center.x, 989, 1e-3);
   EXPECT_TRUE(scene.blobs[0].front && scene.blobs[0].back) << "a column meets both sides of a cloud";
   std::swap(made.triangles[3], made.triangles[4]);

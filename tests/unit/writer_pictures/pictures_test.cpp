@@ -47,6 +47,25 @@ TEST(Pictures, ShowTheNearPuffBeforeTheFarOne) {
   EXPECT_NEAR(north.surface, 450, 150);
 }
 
+TEST(Pictures, HaveTheReliefOfWhatTheyShow) {
+  std::vector<ColoredPuff> puffs(2);
+  for (ColoredPuff& puff : puffs) puff.puff.sigma = glm::vec3(100), puff.puff.extinctionPerMeter = 0.1f;
+  puffs[0].puff.center = {-400, 0, 300};
+  puffs[1].puff.center = {400, 0, -300};
+  const PuffPicture picture = paintedPuffs(puffs, kFromSouth, 0.1f, 12);
+  const Relief& relief = picture.relief;
+  EXPECT_EQ(std::max(relief.columns, relief.rows), 12);
+  const int middle = relief.rows / 2;
+  EXPECT_NEAR(relief.nearness[relief.vertex(1, middle)], 300, 60);
+  EXPECT_NEAR(relief.nearness[relief.vertex(relief.columns - 1, middle)], -300, 60);
+  const glm::dvec2 cell = glm::dvec2(picture.upper - picture.lower) / glm::dvec2(relief.columns, relief.rows);
+  double held = 0;
+  for (const auto& [column, row] : relief.shown)
+    for (const auto& [right, down] : {std::pair{0, 0}, {1, 0}, {0, 1}, {1, 1}})
+      held += 0.25 * cell.x * cell.y * static_cast<double>(relief.opticalDepth[relief.vertex(column + right, row + down)]);
+  EXPECT_NEAR(held / (shape::extinctionArea(puffs[0].puff) + shape::extinctionArea(puffs[1].puff)), 1, 0.03);
+}
+
 /// Of what is seen of a picture, sRGB.
 glm::dvec3 meanColor(const image::ByteImage& image) {
   glm::dvec3 sum(0);
