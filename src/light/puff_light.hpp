@@ -21,9 +21,9 @@ struct EncodedLight {
   glm::vec3 seenAt(float cosine) const { return mean + cosine * towardsSun; }
 };
 
-/// Looking at an angle of cosine mu to the sun, a puff shows its colour plus max(0, mu) of what is encoded with
-/// the forward light added; degrees 0 and 1 that fit this best (least squares over the sphere) are a quarter and
-/// half of it.
+/// Looking at an angle of cosine mu to the sun, a puff shows its colour plus max(0, mu) of what is encoded
+/// with the forward light added; degrees 0 and 1 that fit this best (least squares over the sphere) are a
+/// quarter and half of it.
 EncodedLight encoded(const PuffLight& light, const glm::vec3& sunColor);
 
 }  // namespace cloudgen::light

@@ -8,10 +8,10 @@
 #include "light/relief.hpp"
 #include "light/shade.hpp"
 #include "writer/gltf/cloud_mesh.hpp"
-#include "writer/pictures/cloud_pictures.hpp"
 #include "writer/gltf/glb_file.hpp"
 #include "writer/gltf/gltf.hpp"
 #include "writer/gltf/scene_extras.hpp"
+#include "writer/pictures/cloud_pictures.hpp"
 
 namespace cloudgen::writer {
 namespace {
@@ -30,8 +30,8 @@ std::vector<std::vector<std::uint32_t>> instancesByLight(const scene::Scene& sce
   return groups;
 }
 
-/// The pictures of an archetype are the same for all of its clouds: with their mean optical-depth factor, each by
-/// the area that it covers.
+/// The pictures of an archetype are the same for all of its clouds: with their mean optical-depth factor,
+/// each by the area that it covers.
 std::vector<float> meanFactors(const scene::Scene& scene) {
   std::vector<glm::dvec2> sums(scene.archetypes.size(), glm::dvec2(0));
   for (const scene::Instance& cloud : scene.instances) {
@@ -46,7 +46,7 @@ std::vector<float> meanFactors(const scene::Scene& scene) {
 
 /// What is drawn of each lit archetype.
 std::vector<std::vector<CloudPicture>> shellsOf(const scene::Scene& scene,
-                                          const std::vector<std::vector<std::uint32_t>>& groups) {
+                                                const std::vector<std::vector<std::uint32_t>>& groups) {
   constexpr PictureSize kSize{1.5e6, 128};
   const auto factors = meanFactors(scene);
   const auto drawn = std::ranges::count_if(groups, [](const auto& group) { return !group.empty(); });
@@ -54,7 +54,8 @@ std::vector<std::vector<CloudPicture>> shellsOf(const scene::Scene& scene,
   std::vector<std::vector<CloudPicture>> clouds(groups.size());
   base::parallelFor(groups.size(), [&](std::size_t g) {
     if (!groups[g].empty())
-      clouds[g] = shellPictures(scene, static_cast<std::uint32_t>(g), pixels, factors[scene.lit[g].archetype]);
+      clouds[g] =
+          shellPictures(scene, static_cast<std::uint32_t>(g), pixels, factors[scene.lit[g].archetype]);
   });
   return clouds;
 }
@@ -78,9 +79,11 @@ std::map<base::Genus, GenusPictures> picturesByGenus(GlbFile& file, const scene:
   }
   std::map<base::Genus, GenusPictures> genera;
   for (const auto& [genus, pictures] : images) {
-    GenusPictures& one = genera.emplace(genus, GenusPictures{PictureAtlas(pictures), firsts[genus]}).first->second;
+    GenusPictures& one =
+        genera.emplace(genus, GenusPictures{PictureAtlas(pictures), firsts[genus]}).first->second;
     const std::string name(base::abbreviation(genus));
-    one.material = file.addPictureMaterial(name, file.addPngTexture(name, image::pngBytes(one.atlas.texture())));
+    one.material =
+        file.addPictureMaterial(name, file.addPngTexture(name, image::pngBytes(one.atlas.texture())));
   }
   return genera;
 }
@@ -108,8 +111,7 @@ Attributes addPlaces(GlbFile& file, const scene::Scene& scene, const std::vector
     colors.insert(colors.end(), {color.x, color.y, color.z});
     least = std::min(least, instance.sunlight);
   }
-  Attributes places{{"TRANSLATION", file.addFloats(3, translations)},
-                    {"SCALE", file.addFloats(3, scales)}};
+  Attributes places{{"TRANSLATION", file.addFloats(3, translations)}, {"SCALE", file.addFloats(3, scales)}};
   // Not in the extension's text, but what three.js, Babylon.js and gltfpack take for an instance's colour.
   if (least < kSunny) places.emplace_back("_COLOR_0", file.addFloats(3, colors));
   return places;
@@ -145,8 +147,7 @@ void addSingly(GlbFile& file, const scene::Scene& scene, const std::string& name
   for (const std::uint32_t i : instances) {
     const scene::Instance& cloud = scene.instances[i];
     const scene::LitArchetype& lit = scene.lit[cloud.lit];
-    const nlohmann::json extras =
-        cloudExtras(scene, scene.archetypes[lit.archetype], std::span(&i, 1));
+    const nlohmann::json extras = cloudExtras(scene, scene.archetypes[lit.archetype], std::span(&i, 1));
     file.addNode({.name = name,
                   .mesh = mesh,
                   .translation = glm::dvec3(cloud.position),

@@ -48,7 +48,8 @@ int addCloudMesh(GlbFile& file, const std::string& name, const CloudMesh& mesh, 
                         {"TEXCOORD_0", file.addUnitShorts(2, mesh.textureBoxes)},
                         {"_VERTICAL_OPTICAL_DEPTH", file.addFloats(1, mesh.opticalDepths)}};
   return file.addMesh(
-      name, {.attributes = std::move(attributes), .indices = file.addIndices(mesh.indices), .material = material});
+      name,
+      {.attributes = std::move(attributes), .indices = file.addIndices(mesh.indices), .material = material});
 }
 
 }  // namespace cloudgen::writer::gltf

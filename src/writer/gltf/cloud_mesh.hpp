@@ -11,13 +11,13 @@
 
 namespace cloudgen::writer::gltf {
 
-/// A cloud as the reliefs of pictures of itself, in its own metres under its heading. Triangles look where their
-/// picture was seen from.
+/// A cloud as the reliefs of pictures of itself, in its own metres under its heading. Triangles look where
+/// their picture was seen from.
 struct CloudMesh {
-  std::vector<float> positions;     ///< xyz, metres
+  std::vector<float> positions;             ///< xyz, metres
   std::vector<std::uint16_t> textureBoxes;  ///< uv, 65535 = 1, origin at the upper left
-  /// What a column through the cloud meets at a vertex: half of its optical depth where it enters, in a picture from
-  /// above, and half where it leaves; nothing in upright pictures.
+  /// What a column through the cloud meets at a vertex: half of its optical depth where it enters, in a
+  /// picture from above, and half where it leaves; nothing in upright pictures.
   std::vector<float> opticalDepths;
   std::vector<std::uint32_t> indices;  ///< two triangles a cell: a, b, c and a, c, d of its corners
 };

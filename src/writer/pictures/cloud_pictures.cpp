@@ -44,8 +44,8 @@ float widestHeight(std::span<const shape::Puff> puffs, const shape::Bounds& box)
 }
 
 /// Those from above upwards, then those from below downwards.
-std::vector<CloudPicture> levelPictures(const LitCloud& cloud, const std::vector<Part>& layers, const Fineness& above,
-                                        const Fineness& below) {
+std::vector<CloudPicture> levelPictures(const LitCloud& cloud, const std::vector<Part>& layers,
+                                        const Fineness& above, const Fineness& below) {
   std::vector<CloudPicture> pictures;
   for (auto layer = layers.begin(); layer != layers.end(); ++layer)
     pictures.push_back(cloud.seen(*layer, kFromAbove, above));
@@ -67,8 +67,8 @@ float pixelsPerMeterOf(const LitCloud& cloud, int pixels) {
 
 }  // namespace
 
-void appendColored(const scene::Scene& scene, const scene::Instance& instance,
-                   const Sight& sight, std::vector<ColoredPuff>& out) {
+void appendColored(const scene::Scene& scene, const scene::Instance& instance, const Sight& sight,
+                   std::vector<ColoredPuff>& out) {
   constexpr std::size_t kMostPuffs = 2000;
   const scene::LitArchetype& lit = scene.lit[instance.lit];
   const scene::Archetype& archetype = scene.archetypes[lit.archetype];
@@ -104,7 +104,8 @@ CloudPictures picturesOf(const scene::Scene& scene, std::uint32_t lit, int pixel
   all.level = levelPictures(cloud, {cloud.whole()}, {pixelsPerMeter}, {kCoarser * pixelsPerMeter});
   // Lower down they would be seen as brims below what stands.
   const shape::Bounds& box = cloud.box();
-  all.level[0].picture.surface = std::max(widestHeight(cloud.puffs(), box), 0.5f * (box.lower.y + box.upper.y));
+  all.level[0].picture.surface =
+      std::max(widestHeight(cloud.puffs(), box), 0.5f * (box.lower.y + box.upper.y));
   all.level[1].picture.surface = -all.level[0].picture.surface;
   for (const auto& [one, other] : {std::pair{kFromSouth, kFromNorth}, {kFromEast, kFromWest}}) {
     CloudPicture front = cloud.seen(cloud.whole(), one, {kCoarser * pixelsPerMeter}),

@@ -7,14 +7,14 @@
 
 namespace cloudgen::writer {
 
-/// The puffs of an instance in the scene frame, as they are lit where one looks; its far puffs where there are so
-/// many that nobody would see them.
+/// The puffs of an instance in the scene frame, as they are lit where one looks; its far puffs where there
+/// are so many that nobody would see them.
 void appendColored(const scene::Scene& scene, const scene::Instance& instance, const Sight& sight,
                    std::vector<ColoredPuff>& out);
 
 /// A cloud as pictures within it. Level ones from above and below lie in the middle of its height, or where
-/// it is widest if that is higher; a flat cloud has no others (from above they would be seen as bright lines) but
-/// these in two layers, if it has some height: at a slant one sees its sides between them.
+/// it is widest if that is higher; a flat cloud has no others (from above they would be seen as bright lines)
+/// but these in two layers, if it has some height: at a slant one sees its sides between them.
 struct CloudPictures {
   std::vector<CloudPicture> level;    ///< those from above upwards, then those from below downwards
   std::vector<CloudPicture> upright;  ///< from its four sides, for far off
@@ -30,14 +30,16 @@ struct PictureSize {
   int longestSide = 0;  ///< of a cloud, at most
 };
 
-/// Along the longest side of each of so many clouds, whose pictures fill together so many squares of it each, about.
+/// Along the longest side of each of so many clouds, whose pictures fill together so many squares of it each,
+/// about.
 int pixelsOfEach(std::size_t clouds, double squares, const PictureSize& size);
 
 /// Of a lit archetype, so many pixels along its longest side.
 CloudPictures picturesOf(const scene::Scene& scene, std::uint32_t lit, int pixels);
 
-/// The same cloud for viewers that turn nothing: pictures from above, below and four sides, each with the relief of
-/// what it shows, which is one surface from everywhere; a flat or sheer cloud has level ones alone. Level ones come first.
+/// The same cloud for viewers that turn nothing: pictures from above, below and four sides, each with the
+/// relief of what it shows, which is one surface from everywhere; a flat or sheer cloud has level ones alone.
+/// Level ones come first.
 std::vector<CloudPicture> shellPictures(const scene::Scene& scene, std::uint32_t lit, int pixels,
                                         float opticalDepthFactor);
 /// How many squares of a cloud's longest side they fill, about.

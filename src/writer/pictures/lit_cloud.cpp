@@ -46,14 +46,16 @@ std::vector<Part> LitCloud::layers(int axis, int count) const {
   double below = 0;
   for (const std::size_t i : order) {
     const double middle = below + 0.5 * shape::extinctionArea(puffs_[i]);
-    parts[std::min(parts.size() - 1, static_cast<std::size_t>(count * middle / std::max(sum, 1e-9)))].push_back(i);
+    parts[std::min(parts.size() - 1, static_cast<std::size_t>(count * middle / std::max(sum, 1e-9)))]
+        .push_back(i);
     below += shape::extinctionArea(puffs_[i]);
   }
   std::erase_if(parts, [](const Part& part) { return part.empty(); });
   return parts;
 }
 
-CloudPicture LitCloud::seen(const Part& part, const Sight& sight, const Fineness& fineness, float share) const {
+CloudPicture LitCloud::seen(const Part& part, const Sight& sight, const Fineness& fineness,
+                            float share) const {
   return seenAt(meanCosine(sight, sun_), part, sight, fineness, share);
 }
 

@@ -8,9 +8,10 @@
 
 namespace cloudgen::writer {
 
-inline constexpr Sight kFromAbove{{1, 0, 0}, {0, 0, -1}, {0, 1, 0}}, kFromBelow{{1, 0, 0}, {0, 0, 1}, {0, -1, 0}},
-    kFromSouth{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, kFromNorth{{-1, 0, 0}, {0, 1, 0}, {0, 0, -1}},
-    kFromEast{{0, 0, -1}, {0, 1, 0}, {1, 0, 0}}, kFromWest{{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}};
+inline constexpr Sight kFromAbove{{1, 0, 0}, {0, 0, -1}, {0, 1, 0}},
+    kFromBelow{{1, 0, 0}, {0, 0, 1}, {0, -1, 0}}, kFromSouth{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+    kFromNorth{{-1, 0, 0}, {0, 1, 0}, {0, 0, -1}}, kFromEast{{0, 0, -1}, {0, 1, 0}, {1, 0, 0}},
+    kFromWest{{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}};
 
 /// A picture of a cloud, in the cloud's own metres under its heading: a quad with one face.
 struct CloudPicture {
@@ -43,8 +44,8 @@ class LitCloud {
   /// Its puffs in so many layers across an axis, in their order, with equal shares of its extinction.
   std::vector<Part> layers(int axis, int count) const;
 
-  /// A picture of some of its puffs, `share` of their optical depth in it: for a plane that does not turn, as it is
-  /// seen on the whole by all who stand before it.
+  /// A picture of some of its puffs, `share` of their optical depth in it: for a plane that does not turn, as
+  /// it is seen on the whole by all who stand before it.
   CloudPicture seen(const Part& part, const Sight& sight, const Fineness& fineness, float share = 1) const;
   /// The same as one sees it who looks at an angle of this cosine to the sun.
   CloudPicture seenAt(float cosine, const Part& part, const Sight& sight, const Fineness& fineness,
@@ -57,7 +58,8 @@ class LitCloud {
   light::Sun sun_;
 };
 
-/// Mean cosine between the sun and looks at a picture that does not turn, from all over the half-space before it.
+/// Mean cosine between the sun and looks at a picture that does not turn, from all over the half-space before
+/// it.
 float meanCosine(const Sight& sight, const light::Sun& sun);
 
 }  // namespace cloudgen::writer

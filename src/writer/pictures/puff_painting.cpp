@@ -63,8 +63,9 @@ void paint(Footprint puff, const glm::vec2& lower, const glm::vec2& step, const 
           determinant;
       if (q > kReach * kReach) continue;
       const float opticalDepth = puff.opticalDepth * std::exp(-0.5f * q), alpha = -std::expm1(-opticalDepth);
-      PaintedPixel& pixel = canvas[static_cast<std::size_t>(size.y - 1 - row) * static_cast<std::size_t>(size.x) +
-                            static_cast<std::size_t>(column)];
+      PaintedPixel& pixel =
+          canvas[static_cast<std::size_t>(size.y - 1 - row) * static_cast<std::size_t>(size.x) +
+                 static_cast<std::size_t>(column)];
       pixel.color = alpha * puff.color + (1 - alpha) * pixel.color;
       pixel.nearness = alpha * puff.nearness + (1 - alpha) * pixel.nearness;
       pixel.alpha = alpha + (1 - alpha) * pixel.alpha;
@@ -101,8 +102,8 @@ struct Seen {
   glm::vec2 sides() const { return glm::max(upper - lower, 1e-3f); }
 };
 
-/// Leaves out what is hardly seen at the borders, but for a pixel: it is blended, too. Returns where the upper left
-/// corner of what is left was.
+/// Leaves out what is hardly seen at the borders, but for a pixel: it is blended, too. Returns where the
+/// upper left corner of what is left was.
 glm::ivec2 crop(PuffPicture& picture) {
   const image::ByteImage& whole = picture.image;
   const glm::ivec2 size(whole.width, whole.height);
@@ -151,7 +152,8 @@ PuffPicture pictureOf(const Seen& seen, float pixelsPerMeter, int reliefCells) {
   picture.image.bytes.reserve(4 * canvas.size());
   for (const PaintedPixel& pixel : canvas) appendBytes(pixel, sum.color / whole, picture.image.bytes);
   const glm::ivec2 corner = crop(picture);
-  if (reliefCells > 0) picture.relief = reliefOf(picture.image, picture.surface, {canvas, size.x, corner}, reliefCells);
+  if (reliefCells > 0)
+    picture.relief = reliefOf(picture.image, picture.surface, {canvas, size.x, corner}, reliefCells);
   return picture;
 }
 

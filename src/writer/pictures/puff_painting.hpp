@@ -37,8 +37,8 @@ struct PuffPicture {
 /// looked at: nothing transparent is drawn that need not be.
 std::vector<glm::ivec4> patchesOf(const image::ByteImage& picture, int cells);
 
-/// Paints puffs from far to near as their Gaussians, out to where they end; with a relief of so many cells along the
-/// longer side, or none.
+/// Paints puffs from far to near as their Gaussians, out to where they end; with a relief of so many cells
+/// along the longer side, or none.
 PuffPicture paintedPuffs(std::span<const ColoredPuff> puffs, const Sight& sight, float pixelsPerMeter,
                          int reliefCells = 0);
 /// The same with so many pixels along the longer side.

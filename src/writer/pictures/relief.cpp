@@ -35,7 +35,8 @@ void fillGaps(Relief& relief, std::vector<bool> isKnown, float otherwise) {
     if (!isKnown[at]) relief.nearness[at] = otherwise;
 }
 
-/// Takes the mean with the neighbours: what stands before something else would hang together with it by walls.
+/// Takes the mean with the neighbours: what stands before something else would hang together with it by
+/// walls.
 void smoothen(Relief& relief) {
   const auto blur = [&](int columnStep, int rowStep) {
     const std::vector<float> before = relief.nearness;
@@ -52,14 +53,16 @@ void smoothen(Relief& relief) {
   blur(0, 1);
 }
 
-/// Of the pixels next to each vertex: means over cells would cover more ground. Cells together hold what pixels do.
+/// Of the pixels next to each vertex: means over cells would cover more ground. Cells together hold what
+/// pixels do.
 void takeOpticalDepths(Relief& relief, const glm::ivec2& size, const Cutting& cutting) {
   constexpr float kNext = 0.25f;  // of a cell
   const glm::vec2 cell = glm::vec2(size) / glm::vec2(relief.columns, relief.rows);
   for (int row = 0; row <= relief.rows; ++row)
     for (int column = 0; column <= relief.columns; ++column) {
       const glm::vec2 middle = cell * glm::vec2(column, row);
-      const glm::ivec2 low = glm::clamp(glm::ivec2(glm::round(middle - kNext * cell)), glm::ivec2(0), size - 1),
+      const glm::ivec2 low =
+                           glm::clamp(glm::ivec2(glm::round(middle - kNext * cell)), glm::ivec2(0), size - 1),
                        high = glm::clamp(glm::ivec2(glm::round(middle + kNext * cell)), low + 1, size);
       float sum = 0;
       for (int y = low.y; y < high.y; ++y)
@@ -69,7 +72,8 @@ void takeOpticalDepths(Relief& relief, const glm::ivec2& size, const Cutting& cu
   double held = 0, wanted = 0;
   for (const auto& [column, row] : relief.shown)
     for (const auto& [right, down] : {std::pair{0, 0}, {1, 0}, {0, 1}, {1, 1}})
-      held += 0.25 * static_cast<double>(cell.x * cell.y * relief.opticalDepth[relief.vertex(column + right, row + down)]);
+      held += 0.25 * static_cast<double>(cell.x * cell.y *
+                                         relief.opticalDepth[relief.vertex(column + right, row + down)]);
   for (int y = 0; y < size.y; ++y)
     for (int x = 0; x < size.x; ++x) wanted += static_cast<double>(cutting.at(x, y).opticalDepth);
   for (float& one : relief.opticalDepth) one *= held > 0 ? static_cast<float>(wanted / held) : 0;
@@ -116,7 +120,8 @@ Relief reliefOf(const image::ByteImage& picture, float surface, const Cutting& c
       if (isSeen(column, row)) relief.shown.push_back({column, row});
   const auto nearness = [&](const std::array<int, 2>& at) {
     const std::size_t upper = relief.vertex(at[0], at[1]), lower = relief.vertex(at[0], at[1] + 1);
-    return relief.nearness[upper] + relief.nearness[upper + 1] + relief.nearness[lower] + relief.nearness[lower + 1];
+    return relief.nearness[upper] + relief.nearness[upper + 1] + relief.nearness[lower] +
+           relief.nearness[lower + 1];
   };
   std::ranges::stable_sort(relief.shown, {}, nearness);
   takeOpticalDepths(relief, size, cutting);

@@ -24,13 +24,14 @@ struct PaintedPixel {
 
 /// What a picture shows as a surface: vertices of a grid over it, row by row from the top.
 struct Relief {
-  int columns = 0, rows = 0;              ///< cells
-  std::vector<float> nearness;            ///< mean place of what is seen about a vertex, along towards, metres
-  std::vector<float> opticalDepth;        ///< at a vertex; the cells that are shown hold all of the picture's
+  int columns = 0, rows = 0;        ///< cells
+  std::vector<float> nearness;      ///< mean place of what is seen about a vertex, along towards, metres
+  std::vector<float> opticalDepth;  ///< at a vertex; the cells that are shown hold all of the picture's
   std::vector<std::array<int, 2>> shown;  ///< column and row of cells where something is seen, far ones first
 
   std::size_t vertex(int column, int row) const {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns + 1) + static_cast<std::size_t>(column);
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns + 1) +
+           static_cast<std::size_t>(column);
   }
 };
 
@@ -46,8 +47,8 @@ struct Cutting {
   }
 };
 
-/// The relief of a picture, so many cells along its longer side; where nothing is seen it goes on as it does beside,
-/// or lies at `surface`.
+/// The relief of a picture, so many cells along its longer side; where nothing is seen it goes on as it does
+/// beside, or lies at `surface`.
 Relief reliefOf(const image::ByteImage& picture, float surface, const Cutting& cutting, int cells);
 
 }  // namespace cloudgen::writer

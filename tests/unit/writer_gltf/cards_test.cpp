@@ -36,8 +36,7 @@ TEST_F(Cards, EveryCloudIsAnInstanceAtItsPlace) {
   for (const auto& node : glb.json["nodes"]) {
     if (node["name"] == "ground") continue;
     const auto& attributes = node["extensions"]["EXT_mesh_gpu_instancing"]["attributes"];
-    const auto translations = glb.values(attributes["TRANSLATION"]),
-               scales = glb.values(attributes["SCALE"]);
+    const auto translations = glb.values(attributes["TRANSLATION"]), scales = glb.values(attributes["SCALE"]);
     ASSERT_EQ(node["extras"]["clouds"].size() * 3, translations.size());
     EXPECT_EQ(translations.size(), scales.size());
     for (std::size_t i = 0; i < translations.size() / 3; ++i) {
@@ -104,7 +103,8 @@ TEST_F(Cards, AHeapIsSeenFromAboveBelowAndFourSides) {
   const shape::Bounds box = shape::boundsOf(shell.scene.archetypes[0].puffs, 3);
   for (std::uint32_t vertex = 0; vertex < shell.mesh.opticalDepths.size(); ++vertex) {
     const glm::vec3 place = shell.point(vertex);
-    EXPECT_TRUE(glm::all(glm::greaterThan(place, box.lower - 50.0f)) && glm::all(glm::lessThan(place, box.upper + 50.0f)));
+    EXPECT_TRUE(glm::all(glm::greaterThan(place, box.lower - 50.0f)) &&
+                glm::all(glm::lessThan(place, box.upper + 50.0f)));
   }
 }
 
@@ -117,7 +117,9 @@ TEST_F(Cards, FacesLookToWhereTheirPictureIsSeenFrom) {
   for (std::size_t t = 0; t < shell.mesh.indices.size(); t += 3) {
     const glm::vec3 a = shell.point(shell.mesh.indices[t]), b = shell.point(shell.mesh.indices[t + 1]),
                     c = shell.point(shell.mesh.indices[t + 2]);
-    EXPECT_GT(glm::dot(glm::cross(b - a, c - a), shell.pictures[pictureOf[shell.mesh.indices[t]]].sight.towards), 0);
+    EXPECT_GT(
+        glm::dot(glm::cross(b - a, c - a), shell.pictures[pictureOf[shell.mesh.indices[t]]].sight.towards),
+        0);
   }
 }
 

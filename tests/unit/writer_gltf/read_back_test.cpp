@@ -44,7 +44,8 @@ TEST(ReadBack, SeesEveryPuffWhereTheSceneHasIt) {
 
 TEST(ReadBack, ReliefsOfCloudsHoldWhatTheirPuffsHold) {
   scene::Scene scene = test::gltfScene();
-  for (shape::Puff& puff : scene.archetypes[0].puffs) puff.extinctionPerMeter *= 50;  // far denser than opacities tell
+  for (shape::Puff& puff : scene.archetypes[0].puffs)
+    puff.extinctionPerMeter *= 50;  // far denser than opacities tell
   const test::Scratch folder;
   writeCards(scene, {folder.path(), {}});
   const check::WrittenScene read = check::readGlbScene(folder.path() / "scene.glb");
@@ -66,7 +67,8 @@ TEST(ReadBack, ReliefsOfCloudsReachFromBaseToTop) {
   const check::WrittenScene read = check::readGlbScene(folder.path() / "scene.glb");
   float lowest = 1e9f, highest = -1e9f;
   for (const check::Blob& blob : read.blobs)
-    if (blob.strength > 1) lowest = std::min(lowest, blob.center.y), highest = std::max(highest, blob.center.y);
+    if (blob.strength > 1)
+      lowest = std::min(lowest, blob.center.y), highest = std::max(highest, blob.center.y);
   double base = 1e9, top = -1e9;
   for (const scene::Instance& instance : scene.instances)
     for (const shape::Puff& puff : scene.archetypes[0].puffs) {

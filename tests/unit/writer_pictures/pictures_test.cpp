@@ -62,7 +62,8 @@ TEST(Pictures, HaveTheReliefOfWhatTheyShow) {
   double held = 0;
   for (const auto& [column, row] : relief.shown)
     for (const auto& [right, down] : {std::pair{0, 0}, {1, 0}, {0, 1}, {1, 1}})
-      held += 0.25 * cell.x * cell.y * static_cast<double>(relief.opticalDepth[relief.vertex(column + right, row + down)]);
+      held += 0.25 * cell.x * cell.y *
+              static_cast<double>(relief.opticalDepth[relief.vertex(column + right, row + down)]);
   EXPECT_NEAR(held / (shape::extinctionArea(puffs[0].puff) + shape::extinctionArea(puffs[1].puff)), 1, 0.03);
 }
 
@@ -71,7 +72,8 @@ glm::dvec3 meanColor(const image::ByteImage& image) {
   glm::dvec3 sum(0);
   double alpha = 0;
   for (std::size_t i = 0; i < image.bytes.size(); i += 4) {
-    sum += image.bytes[i + 3] / 255.0 * glm::dvec3(image.bytes[i], image.bytes[i + 1], image.bytes[i + 2]) / 255.0;
+    sum += image.bytes[i + 3] / 255.0 * glm::dvec3(image.bytes[i], image.bytes[i + 1], image.bytes[i + 2]) /
+           255.0;
     alpha += image.bytes[i + 3] / 255.0;
   }
   return sum / alpha;
@@ -90,9 +92,10 @@ TEST(Pictures, AreAsBrightAsThePuffsTheyStandFor) {
     const glm::dvec3 front = meanColor(cloud.upright[i].picture.image),
                      back = meanColor(cloud.upright[i + 1].picture.image);
     EXPECT_LT(glm::distance(0.5 * (front + back), glm::dvec3(shown.mean)), 0.01);
-    EXPECT_EQ(front.y < back.y, glm::dot(cloud.upright[i].sight.towards, scene.sun.direction) > 0);
+    EXPECT_EQ(front.y<back.y, glm::dot(cloud.upright[i].sight.towards, scene.sun.direction)> 0);
   }
-  const glm::dvec3 below = meanColor(cloud.level[1].picture.image), above = meanColor(cloud.level[0].picture.image);
+  const glm::dvec3 below = meanColor(cloud.level[1].picture.image),
+                   above = meanColor(cloud.level[0].picture.image);
   EXPECT_GT(below.y, above.y);
 }
 
