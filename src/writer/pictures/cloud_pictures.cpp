@@ -56,9 +56,12 @@ std::vector<CloudPicture> levelPictures(const LitCloud& cloud, const std::vector
 
 bool isFlat(const LitCloud& cloud) { return cloud.size().y < kFlat * cloud.width(); }
 
+/// Two, if it has some height, and is no storm that is wide by its anvil: nothing would be between them.
 std::vector<Part> flatLayers(const LitCloud& cloud) {
-  constexpr float kThin = 0.1f;  // height to width of what one layer shows
-  return cloud.size().y < kThin * cloud.width() ? std::vector<Part>{cloud.whole()} : cloud.layers(1, 2);
+  constexpr float kThin = 0.1f, kTallMeters = 2500;
+  const float height = cloud.size().y;
+  if (height < kThin * cloud.width() || height > kTallMeters) return {cloud.whole()};
+  return cloud.layers(1, 2);
 }
 
 float pixelsPerMeterOf(const LitCloud& cloud, int pixels) {
@@ -124,14 +127,15 @@ CloudPictures picturesOf(const scene::Scene& scene, std::uint32_t lit, int pixel
 std::vector<CloudPicture> shellPictures(const scene::Scene& scene, std::uint32_t lit, int pixels,
                                         float opticalDepthFactor) {
   constexpr int kReliefCells = 14;
-  constexpr float kSheer = 1;  // mean optical depth of what shows no sides
+  constexpr float kSheet = 0.15f,
+                  kSheer = 1;  // height to width, or mean optical depth, of what shows no sides
   // Level looks meet two upright sides, by the mean of the cosine and the sine 4 / pi of one.
   constexpr float kUprightShare = std::numbers::pi_v<float> / 4;
   const LitCloud cloud(scene, lit, opticalDepthFactor);
   const float pixelsPerMeter = pixelsPerMeterOf(cloud, pixels);
   const Fineness fine{pixelsPerMeter, kReliefCells}, side{kFiner * pixelsPerMeter, kReliefCells},
       coarse{kCoarser * pixelsPerMeter, kReliefCells};
-  if (isFlat(cloud) || cloud.meanOpticalDepth() < kSheer)
+  if (cloud.size().y < kSheet * cloud.width() || cloud.meanOpticalDepth() < kSheer)
     return levelPictures(cloud, flatLayers(cloud), fine, fine);
   auto pictures = levelPictures(cloud, {cloud.whole()}, fine, coarse);
   for (const Sight& sight : {kFromSouth, kFromNorth, kFromEast, kFromWest})
