@@ -21,11 +21,9 @@ std::vector<Splat> splatsFrom(std::span<const shape::Puff> puffs, std::span<cons
   std::vector<Splat> splats;
   splats.reserve(puffs.size());
   for (size_t i = 0; i < puffs.size(); ++i) {
-    const glm::vec3 base = light::srgbFromLinear(lights[i].color);
-    const glm::vec3 lining = light::srgbFromLinear(lights[i].color + lights[i].forward * sunColor) - base;
+    const light::EncodedLight shown = light::encoded(lights[i], sunColor);
     splats.push_back({puffs[i].center, puffs[i].sigma, puffs[i].rotation,
-                      -std::expm1(-shape::frontalOpticalDepth(puffs[i])), base + 0.25f * lining,
-                      0.5f * lining});
+                      -std::expm1(-shape::frontalOpticalDepth(puffs[i])), shown.mean, shown.towardsSun});
   }
   return splats;
 }

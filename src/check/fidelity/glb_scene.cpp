@@ -9,7 +9,7 @@
 namespace cloudgen::check {
 namespace {
 
-constexpr std::size_t kMostCards = 10'000'000;
+constexpr std::size_t kMostCards = 20'000'000;
 
 void addNode(const MeshNode& node, const std::string& where, WrittenScene& scene) {
   std::vector<Card> cards;

@@ -2,7 +2,9 @@
 #include "check/fidelity/picture_cards.hpp"
 
 #include <algorithm>
+#include <array>
 #include <glm/geometric.hpp>
+#include <numbers>
 #include <numeric>
 #include <span>
 
@@ -49,9 +51,33 @@ Card cardOf(const PictureMesh& mesh, std::span<const std::uint32_t> vertices) {
   return card;
 }
 
+/// The cells of a relief in which a column meets something, each as a sprite that spreads it over the cell.
+void addCellsOf(const PictureMesh& mesh, std::vector<Card>& cards) {
+  constexpr float kDeviation = 0.33f;  // in sides of the cell: smooth across cells, and hardly beyond the outmost
+  constexpr float kCentralShare =
+      1 / (2 * std::numbers::pi_v<float> * kDeviation * kDeviation * kWithinCard);
+  for (std::size_t t = 0; t < mesh.triangles.size(); t += 6) {
+    const std::array<std::uint32_t, 4> corners{mesh.triangles[t], mesh.triangles[t + 1], mesh.triangles[t + 2],
+                                               mesh.triangles[t + 5]};
+    float opticalDepth = 0;
+    for (const std::uint32_t corner : corners) opticalDepth += 0.25f * mesh.verticalOpticalDepths[corner];
+    if (!(opticalDepth > 0)) continue;
+    const glm::vec3 a = mesh.point(corners[0]), b = mesh.point(corners[1]), c = mesh.point(corners[2]),
+                    d = mesh.point(corners[3]);
+    Card card;
+    card.center = 0.25f * (a + b + c + d);
+    card.right = 0.5f * kDeviation * kCardReach * (b + c - a - d);
+    card.up = 0.5f * kDeviation * kCardReach * (c + d - a - b);
+    card.opticalDepth = kCentralShare * opticalDepth;
+    card.front = card.back = true;
+    cards.push_back(card);
+  }
+}
+
 }  // namespace
 
 void addCardsOf(const PictureMesh& mesh, std::vector<Card>& cards) {
+  if (!mesh.verticalOpticalDepths.empty()) return addCellsOf(mesh, cards);
   const auto first = firstOfCard(mesh);
   std::vector<std::uint32_t> order(first.size());
   std::iota(order.begin(), order.end(), 0u);

@@ -70,7 +70,8 @@ WrittenScene readX3dScene(std::string_view bytes, const std::string& where);
 
 /// Reads the clouds of scene.glb: meshes whose material blends a picture named by a genus ("Cu"), drawn once
 /// or, by EXT_mesh_gpu_instancing, once a cloud. Vertices that triangles join are a card with that sprite,
-/// its opacity the mean of theirs (COLOR_0), its falling off and its optical depth as in X3D. Each instance
+/// its opacity the mean of theirs (COLOR_0), its falling off and its optical depth as in X3D; or they are the relief
+/// of a cloud, whose cells are cards of the optical depth that they state (_VERTICAL_OPTICAL_DEPTH). Each instance
 /// is a cloud, its record the genus in the node's extras. Throws InputError where the file is something else.
 WrittenScene readGlbScene(const std::filesystem::path& file);
 

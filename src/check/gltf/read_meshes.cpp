@@ -65,6 +65,14 @@ std::string pictureOf(const json& root, const json& material) {
   return root.at("images").at(image).value("name", "");
 }
 
+/// Pairs of triangles a, b, c and a, c, d.
+bool isInCells(const std::vector<std::uint32_t>& triangles) {
+  if (triangles.size() % 6 != 0) return false;
+  for (std::size_t t = 0; t < triangles.size(); t += 6)
+    if (triangles[t + 3] != triangles[t] || triangles[t + 4] != triangles[t + 2]) return false;
+  return true;
+}
+
 std::vector<PictureMesh> partsOf(const GlbParts& glb, const json& mesh) {
   std::vector<PictureMesh> parts;
   for (const json& primitive : mesh.at("primitives")) {
@@ -73,16 +81,18 @@ std::vector<PictureMesh> partsOf(const GlbParts& glb, const json& mesh) {
     const std::string picture = pictureOf(glb.root(), material);
     if (picture.empty()) continue;
     const json& attributes = primitive.at("attributes");
+    const auto column = [&](const char* name, std::size_t components) {
+      return attributes.contains(name) ? glb.floats(attributes[name], components) : std::vector<float>{};
+    };
     parts.push_back({glb.floats(attributes.at("POSITION"), 3), glb.floats(attributes.at("TEXCOORD_0"), 2),
-                     glb.floats(attributes.at("COLOR_0"), 4),
-                     attributes.contains("_OPTICAL_DEPTH") ? glb.floats(attributes["_OPTICAL_DEPTH"], 1)
-                                                           : std::vector<float>{},
-                     glb.indices(primitive.at("indices")),
-                     material.value("doubleSided", false), picture});
-    const PictureMesh& part = parts.back();
+                     column("COLOR_0", 4), column("_OPTICAL_DEPTH", 1), column("_VERTICAL_OPTICAL_DEPTH", 1),
+                     glb.indices(primitive.at("indices")), material.value("doubleSided", false), picture});
+    PictureMesh& part = parts.back();
+    if (part.colors.empty()) part.colors.assign(4 * part.vertices(), 1);
+    const auto fits = [&](const std::vector<float>& some) { return some.empty() || some.size() == part.vertices(); };
     if (part.places.size() != 2 * part.vertices() || part.colors.size() != 4 * part.vertices() ||
-        (!part.opticalDepths.empty() && part.opticalDepths.size() != part.vertices()) ||
-        part.triangles.size() % 3 != 0 ||
+        !fits(part.opticalDepths) || !fits(part.verticalOpticalDepths) || part.triangles.size() % 3 != 0 ||
+        (!part.verticalOpticalDepths.empty() && !isInCells(part.triangles)) ||
         std::ranges::any_of(part.triangles, [&](std::uint32_t vertex) { return vertex >= part.vertices(); }))
       glb.fail("has a mesh whose columns do not fit together");
   }

@@ -15,6 +15,9 @@ namespace cloudgen::check {
 struct PictureMesh {
   std::vector<float> points, places, colors;  ///< xyz; uv with v downwards; RGBA
   std::vector<float> opticalDepths;           ///< as stated (_OPTICAL_DEPTH); empty if they are not
+  /// Of columns, as stated by the relief of a cloud (_VERTICAL_OPTICAL_DEPTH); empty if it is none. Triangles are
+  /// a, b, c and a, c, d of a cell then.
+  std::vector<float> verticalOpticalDepths;
   std::vector<std::uint32_t> triangles;       ///< vertices, three each
   bool doubleSided = false;
   std::string picture;  ///< the name of its image

@@ -18,23 +18,6 @@ constexpr float kSpriteReach = 2.2f;  ///< half-side of a sprite, in its standar
 constexpr float kWithinBorder = 0.9451f;
 /// Upright cards, two of them met by a level look.
 constexpr float kUprightShare = 0.5f;
-constexpr int kCells = 2;
-
-/// The colour of the light at a place: of the archetype's puffs, weighted by how much of each is there.
-/// `fallback` has a small weight everywhere.
-glm::vec3 lightAt(const scene::Archetype& archetype, const scene::LitArchetype& lit, glm::vec3 place,
-                  float blurMeters, glm::vec3 fallback) {
-  glm::vec3 sum = 1e-3f * fallback;
-  float weights = 1e-3f;
-  for (std::size_t i = 0; i < lit.puffs.size(); ++i) {
-    const shape::Puff& puff = archetype.puffs[i];
-    const glm::vec3 offset = (puff.center - place) / blurMeters;
-    const float weight = shape::frontalOpticalDepth(puff) * std::exp(-0.5f * glm::dot(offset, offset));
-    sum += weight * lit.puffs[i].color;
-    weights += weight;
-  }
-  return sum / weights;
-}
 
 std::uint16_t toShort(float unit) {
   return static_cast<std::uint16_t>(std::lround(65535.0f * glm::clamp(unit, 0.0f, 1.0f)));
@@ -74,41 +57,6 @@ std::array<Card, 3> cardsOf(const shape::Puff& puff, float opticalDepthFactor) {
   flat.right *= widening;
   flat.up *= widening;
   return cards;
-}
-
-CardMesh cardsOf(const scene::Archetype& archetype, const scene::LitArchetype& lit, float opticalDepthFactor,
-                 const image::SpriteAtlas& atlas) {
-  CardMesh mesh;
-  for (std::size_t p = 0; p < archetype.farPuffs.size(); ++p) {
-    const shape::Puff& puff = archetype.farPuffs[p];
-    const glm::vec4 box = atlas.textureBox(puff.sprite % atlas.tiles());
-    const float blurMeters = 0.7f * std::cbrt(puff.sigma.x * puff.sigma.y * puff.sigma.z);
-    for (const Card& card : cardsOf(puff, opticalDepthFactor)) {
-      const float alpha = -std::expm1(-card.opticalDepth);
-      const auto first = static_cast<std::uint32_t>(mesh.positions.size() / 3);
-      for (int row = 0; row <= kCells; ++row)
-        for (int column = 0; column <= kCells; ++column) {
-          const float u = static_cast<float>(column) / kCells, v = static_cast<float>(row) / kCells;
-          const glm::vec3 place = card.center + (2 * u - 1) * card.right + (2 * v - 1) * card.up;
-          mesh.positions.insert(mesh.positions.end(), {place.x, place.y, place.z});
-          mesh.textureBoxes.insert(mesh.textureBoxes.end(),
-                                   {glm::mix(box.x, box.z, u), 1 - glm::mix(box.y, box.w, v)});
-          // Light of the puff's inside: half-way out, where the card is seen.
-          const glm::vec3 color =
-              lightAt(archetype, lit, glm::mix(puff.center, place, 0.5f), blurMeters, lit.farPuffs[p].color);
-          mesh.colors.insert(mesh.colors.end(),
-                             {toShort(color.x), toShort(color.y), toShort(color.z), toShort(alpha)});
-          mesh.opticalDepths.push_back(card.opticalDepth);
-        }
-      for (std::uint32_t row = 0; row < kCells; ++row)
-        for (std::uint32_t column = 0; column < kCells; ++column) {
-          const std::uint32_t a = first + row * (kCells + 1) + column, b = a + 1, c = a + kCells + 1,
-                              d = c + 1;
-          mesh.indices.insert(mesh.indices.end(), {a, b, d, a, d, c});
-        }
-    }
-  }
-  return mesh;
 }
 
 CardColumns addCardColumns(GlbFile& file, const CardMesh& mesh) {

@@ -5,8 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "image/sprite_atlas.hpp"
-#include "scene/scene.hpp"
+#include "shape/puff.hpp"
 #include "writer/gltf/glb_file.hpp"
 
 namespace cloudgen::writer::gltf {
@@ -23,7 +22,7 @@ struct Card {
 /// has half of the optical depth of the puff at its broadest, as a level look meets two.
 std::array<Card, 3> cardsOf(const shape::Puff& puff, float opticalDepthFactor);
 
-/// A triangle mesh in an archetype's own axes, as columns ready for glTF.
+/// A triangle mesh, as columns ready for glTF.
 struct CardMesh {
   std::vector<float> positions;        ///< xyz, metres
   std::vector<float> textureBoxes;     ///< uv, origin at the upper left
@@ -31,11 +30,6 @@ struct CardMesh {
   std::vector<float> opticalDepths;    ///< of the card that a vertex belongs to: what alpha, near 1, tells no more
   std::vector<std::uint32_t> indices;  ///< triangles
 };
-
-/// The three cards of every far puff, each a grid of 2 x 2 cells with the puff's sprite. Vertices take the light
-/// of the puffs around them, so a card is bright on top and dark below as the cloud is.
-CardMesh cardsOf(const scene::Archetype& archetype, const scene::LitArchetype& lit, float opticalDepthFactor,
-                 const image::SpriteAtlas& atlas);
 
 /// What meshes of the same cards share whatever light is on them.
 struct CardColumns {

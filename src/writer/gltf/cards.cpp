@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <glm/common.hpp>
-#include <glm/gtc/quaternion.hpp>
+#include <map>
 #include <nlohmann/json.hpp>
-#include <optional>
 
-#include "base/data_dir.hpp"
-#include "base/file.hpp"
+#include "base/thread.hpp"
 #include "light/relief.hpp"
 #include "light/shade.hpp"
-#include "writer/gltf/card_mesh.hpp"
+#include "writer/gltf/cloud_mesh.hpp"
 #include "writer/gltf/glb_file.hpp"
 #include "writer/gltf/gltf.hpp"
 #include "writer/gltf/scene_extras.hpp"
+#include "writer/pictures/cloud_pictures.hpp"
 
 namespace cloudgen::writer {
 namespace {
@@ -23,31 +23,6 @@ constexpr float kSunny = 0.98f;
 /// Cells along a side of the ground where there is no terrain.
 constexpr int kGroundCells = 64;
 
-/// The materials of the genera in the scene, each with its atlas, made when first asked for.
-class GenusMaterials {
- public:
-  explicit GenusMaterials(GlbFile& file)
-      : file_(file),
-        textures_(base::dataDir() / "textures"),
-        atlases_(image::readSpriteManifest(textures_)) {}
-
-  const image::SpriteAtlas& atlas(base::Genus genus) const { return image::atlasOf(atlases_, genus); }
-
-  int material(base::Genus genus) {
-    const auto found = materials_.find(genus);
-    if (found != materials_.end()) return found->second;
-    const std::string name(base::abbreviation(genus));
-    const int texture = file_.addPngTexture(name, base::readFile(textures_ / atlas(genus).file, 64u << 20));
-    return materials_[genus] = file_.addCardMaterial(name, texture);
-  }
-
- private:
-  GlbFile& file_;
-  std::filesystem::path textures_;
-  std::vector<image::SpriteAtlas> atlases_;
-  std::map<base::Genus, int> materials_;
-};
-
 /// The instances of each lit archetype, ascending.
 std::vector<std::vector<std::uint32_t>> instancesByLight(const scene::Scene& scene) {
   std::vector<std::vector<std::uint32_t>> groups(scene.lit.size());
@@ -55,7 +30,7 @@ std::vector<std::vector<std::uint32_t>> instancesByLight(const scene::Scene& sce
   return groups;
 }
 
-/// The cards of an archetype have one alpha under all headings: that of its clouds' mean optical-depth factor,
+/// The pictures of an archetype are the same for all of its clouds: with their mean optical-depth factor,
 /// each by the area that it covers.
 std::vector<float> meanFactors(const scene::Scene& scene) {
   std::vector<glm::dvec2> sums(scene.archetypes.size(), glm::dvec2(0));
@@ -67,6 +42,50 @@ std::vector<float> meanFactors(const scene::Scene& scene) {
   std::vector<float> factors;
   for (const glm::dvec2& sum : sums) factors.push_back(sum.y > 0 ? static_cast<float>(sum.x / sum.y) : 1);
   return factors;
+}
+
+/// What is drawn of each lit archetype.
+std::vector<std::vector<CloudPicture>> shellsOf(const scene::Scene& scene,
+                                                const std::vector<std::vector<std::uint32_t>>& groups) {
+  constexpr PictureSize kSize{1.5e6, 128};
+  const auto factors = meanFactors(scene);
+  const auto drawn = std::ranges::count_if(groups, [](const auto& group) { return !group.empty(); });
+  const int pixels = pixelsOfEach(static_cast<std::size_t>(drawn), kShellSquares, kSize);
+  std::vector<std::vector<CloudPicture>> clouds(groups.size());
+  base::parallelFor(groups.size(), [&](std::size_t g) {
+    if (!groups[g].empty())
+      clouds[g] =
+          shellPictures(scene, static_cast<std::uint32_t>(g), pixels, factors[scene.lit[g].archetype]);
+  });
+  return clouds;
+}
+
+/// The pictures of all clouds of a genus in one texture.
+struct GenusPictures {
+  PictureAtlas atlas;
+  std::map<std::size_t, std::size_t> first;  ///< picture of a lit archetype
+  int material = -1;
+};
+
+std::map<base::Genus, GenusPictures> picturesByGenus(GlbFile& file, const scene::Scene& scene,
+                                                     const std::vector<std::vector<CloudPicture>>& clouds) {
+  std::map<base::Genus, std::vector<const image::ByteImage*>> images;
+  std::map<base::Genus, std::map<std::size_t, std::size_t>> firsts;
+  for (std::size_t g = 0; g < clouds.size(); ++g) {
+    if (clouds[g].empty()) continue;
+    const base::Genus genus = scene.archetypes[scene.lit[g].archetype].genus;
+    firsts[genus][g] = images[genus].size();
+    for (const CloudPicture& one : clouds[g]) images[genus].push_back(&one.picture.image);
+  }
+  std::map<base::Genus, GenusPictures> genera;
+  for (const auto& [genus, pictures] : images) {
+    GenusPictures& one =
+        genera.emplace(genus, GenusPictures{PictureAtlas(pictures), firsts[genus]}).first->second;
+    const std::string name(base::abbreviation(genus));
+    one.material =
+        file.addPictureMaterial(name, file.addPngTexture(name, image::pngBytes(one.atlas.texture())));
+  }
+  return genera;
 }
 
 /// The middle of the instances in whole metres: places relative to it keep their precision.
@@ -81,23 +100,18 @@ glm::dvec3 middleOf(const scene::Scene& scene, const std::vector<std::uint32_t>&
 
 Attributes addPlaces(GlbFile& file, const scene::Scene& scene, const std::vector<std::uint32_t>& instances,
                      const glm::dvec3& middle) {
-  std::vector<float> translations, rotations, scales, colors;
+  std::vector<float> translations, scales, colors;
   float least = 1;
   for (const std::uint32_t i : instances) {
     const scene::Instance& instance = scene.instances[i];
     const glm::vec3 place(glm::dvec3(instance.position) - middle);
-    const glm::quat turn =
-        glm::angleAxis(scene::yawRadians(scene.lit[instance.lit].yawStep), glm::vec3(0, 1, 0));
     translations.insert(translations.end(), {place.x, place.y, place.z});
-    rotations.insert(rotations.end(), {turn.x, turn.y, turn.z, turn.w});
     scales.insert(scales.end(), 3, instance.scale);
     const glm::vec3 color = light::dimming(instance.sunlight, scene.sun.color, scene.sky);
     colors.insert(colors.end(), {color.x, color.y, color.z});
     least = std::min(least, instance.sunlight);
   }
-  Attributes places{{"TRANSLATION", file.addFloats(3, translations)},
-                    {"ROTATION", file.addFloats(4, rotations)},
-                    {"SCALE", file.addFloats(3, scales)}};
+  Attributes places{{"TRANSLATION", file.addFloats(3, translations)}, {"SCALE", file.addFloats(3, scales)}};
   // Not in the extension's text, but what three.js, Babylon.js and gltfpack take for an instance's colour.
   if (least < kSunny) places.emplace_back("_COLOR_0", file.addFloats(3, colors));
   return places;
@@ -133,12 +147,10 @@ void addSingly(GlbFile& file, const scene::Scene& scene, const std::string& name
   for (const std::uint32_t i : instances) {
     const scene::Instance& cloud = scene.instances[i];
     const scene::LitArchetype& lit = scene.lit[cloud.lit];
-    const nlohmann::json extras =
-        cloudExtras(scene, scene.archetypes[lit.archetype], std::span(&i, 1));
+    const nlohmann::json extras = cloudExtras(scene, scene.archetypes[lit.archetype], std::span(&i, 1));
     file.addNode({.name = name,
                   .mesh = mesh,
                   .translation = glm::dvec3(cloud.position),
-                  .rotation = glm::angleAxis(scene::yawRadians(lit.yawStep), glm::vec3(0, 1, 0)),
                   .scale = static_cast<double>(cloud.scale),
                   .extras = &extras});
   }
@@ -175,22 +187,19 @@ void addGround(GlbFile& file, const scene::Scene& scene) {
 
 void writeCards(const scene::Scene& scene, const Destination& destination) {
   GlbFile file(sceneExtras(scene));
-  GenusMaterials materials(file);
   addGround(file, scene);
   const auto groups = instancesByLight(scene);
-  const auto factors = meanFactors(scene);
-  std::vector<std::optional<CardColumns>> columns(scene.archetypes.size());
+  const auto clouds = shellsOf(scene, groups);
+  const std::map<base::Genus, GenusPictures> genera = picturesByGenus(file, scene, clouds);
   for (std::size_t g = 0; g < groups.size(); ++g) {
     destination.progress.step("glb", static_cast<double>(g) / static_cast<double>(groups.size()));
     const scene::LitArchetype& lit = scene.lit[g];
     const scene::Archetype& archetype = scene.archetypes[lit.archetype];
-    if (groups[g].empty() || archetype.farPuffs.empty()) continue;
+    if (groups[g].empty()) continue;
+    const GenusPictures& genus = genera.at(archetype.genus);
+    const CloudMesh cards = meshOf(clouds[g], genus.atlas, genus.first.at(g));
     const std::string name = fmt::format("{} heading {}", archetype.name, lit.yawStep);
-    const CardMesh cards =
-        cardsOf(archetype, lit, factors[lit.archetype], materials.atlas(archetype.genus));
-    auto& shared = columns[lit.archetype];
-    if (!shared) shared = addCardColumns(file, cards);
-    const int mesh = addCardMesh(file, name, *shared, cards, materials.material(archetype.genus));
+    const int mesh = addCloudMesh(file, name, cards, genus.material);
     (destination.cards.singly ? addSingly : addInstanced)(file, scene, name, mesh, groups[g]);
   }
   file.write(destination.folder / "scene.glb");

@@ -244,14 +244,19 @@ int GlbFile::addTextureOfLastImage() {
   return indexOfLast(model.textures);
 }
 
-int GlbFile::addCardMaterial(const std::string& name, int texture) {
+int GlbFile::addPictureMaterial(const std::string& name, int texture) {
   tinygltf::Material material = unlitMaterial(name);
   material.alphaMode = "BLEND";
-  material.doubleSided = true;
   material.pbrMetallicRoughness.baseColorTexture.index = texture;
   useExtension(kUnlit, false);
   parts_->model.materials.push_back(std::move(material));
   return indexOfLast(parts_->model.materials);
+}
+
+int GlbFile::addCardMaterial(const std::string& name, int texture) {
+  const int material = addPictureMaterial(name, texture);
+  parts_->model.materials.back().doubleSided = true;
+  return material;
 }
 
 int GlbFile::addPlainMaterial(const std::string& name, glm::vec3 color) {

@@ -89,6 +89,8 @@ class GlbFile {
   int addTexture(const std::string& name, const std::string& uri);
   /// Blended, two-sided and unlit, with a texture; colour and coverage come from COLOR_0 and the texture.
   int addCardMaterial(const std::string& name, int texture);
+  /// Blended and unlit, seen from its front; colour and coverage are the texture's.
+  int addPictureMaterial(const std::string& name, int texture);
   /// Opaque and unlit, linear colour.
   int addPlainMaterial(const std::string& name, glm::vec3 color);
   int addMesh(const std::string& name, const Primitive& primitive);

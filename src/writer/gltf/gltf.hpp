@@ -12,10 +12,10 @@ namespace cloudgen::writer {
 /// would pass glTF's 4 GiB.
 void writeSplats(const scene::Scene& scene, const Destination& destination);
 
-/// Writes scene.glb: glTF 2.0 without splats. One mesh of crossed, textured, unlit cards a lit archetype, placed
+/// Writes scene.glb: glTF 2.0 without splats. One mesh of unlit pictures a lit archetype, upright and level, placed
 /// by EXT_mesh_gpu_instancing, whose attribute _COLOR_0 dims clouds in the shadow of others, or by a node a cloud
-/// (CardOptions); sprite atlases from base::dataDir()/textures are embedded; a node "ground" is the ground with its
-/// shadows. Throws InputError if a texture is missing, OutputError as above.
+/// (CardOptions); the pictures of a genus are painted from its puffs into one embedded texture; a node "ground" is
+/// the ground with its shadows. Throws OutputError as above.
 void writeCards(const scene::Scene& scene, const Destination& destination);
 
 }  // namespace cloudgen::writer

@@ -5,7 +5,6 @@
 #include <glm/common.hpp>
 #include <numbers>
 
-#include "light/color.hpp"
 
 namespace cloudgen::writer::gltf {
 namespace {
@@ -18,16 +17,6 @@ std::uint64_t spread(std::uint64_t bits) {
   return (bits | bits << 2) & 0x249249249249;
 }
 
-/// Light in the encoded colour space in which viewers add harmonics. Looking at an angle with cosine mu to
-/// the sun, a puff shows its colour plus max(0, mu) of what is encoded with the forward light added; degrees
-/// 0 and 1 that fit this best (least squares over the sphere) are a quarter and half of it.
-void shade(Splat& splat, const light::PuffLight& puffLight, const light::Sun& sun) {
-  const glm::vec3 base = light::srgbFromLinear(puffLight.color);
-  const glm::vec3 lining = light::srgbFromLinear(puffLight.color + puffLight.forward * sun.color) - base;
-  splat.color = base + 0.25f * lining;
-  splat.towardsSun = 0.5f * lining;
-}
-
 }  // namespace
 
 float splatOpacity(const shape::Puff& placedPuff) {
@@ -35,10 +24,9 @@ float splatOpacity(const shape::Puff& placedPuff) {
 }
 
 Splat splatOf(const shape::Puff& puff, const light::PuffLight& light, const light::Sun& sun) {
-  Splat splat{puff.center, puff.sigma, glm::normalize(puff.rotation), splatOpacity(puff),
-              shape::frontalOpticalDepth(puff)};
-  shade(splat, light, sun);
-  return splat;
+  const light::EncodedLight shown = light::encoded(light, sun.color);
+  return {puff.center,         puff.sigma, glm::normalize(puff.rotation), splatOpacity(puff),
+          shape::frontalOpticalDepth(puff), shown.mean, shown.towardsSun};
 }
 
 std::array<float, 8> harmonicsTowards(glm::vec3 direction) {

@@ -13,13 +13,7 @@ constexpr float kLeastFlatSide = 50000, kFlatness = 10;
 constexpr int kSheetPixels = 256;  ///< of at most kFineSheets, else half
 constexpr std::size_t kFineSheets = 64;
 
-constexpr int kFewestPixels = 24;  ///< along the longest side of a cloud
-
-int pixelsOfEach(std::size_t clouds, const PictureSize& size) {
-  constexpr double kSquares = 2.5;  // that the pictures of a cloud fill, about
-  const double each = size.together / (kSquares * static_cast<double>(std::max<std::size_t>(clouds, 1)));
-  return std::clamp(static_cast<int>(std::sqrt(each)), kFewestPixels, size.longestSide);
-}
+constexpr double kSquares = 2.5;  ///< that the pictures of a cloud fill, about
 
 }  // namespace
 
@@ -60,7 +54,7 @@ void FilePictures::paintClouds(const std::set<std::uint32_t>& lit, const Picture
     cloud.lit = index;
     clouds.push_back(&cloud);
   }
-  const int each = pixelsOfEach(clouds.size(), size);
+  const int each = pixelsOfEach(clouds.size(), kSquares, size);
   base::parallelFor(clouds.size(),
                     [&](std::size_t i) { clouds[i]->pictures = picturesOf(scene_, clouds[i]->lit, each); });
 }

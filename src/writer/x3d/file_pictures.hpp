@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-#include "writer/x3d/cloud_pictures.hpp"
+#include "writer/x3d/picture_quads.hpp"
 #include "writer/x3d/quad_shape.hpp"
 #include "writer/x3d/sheets.hpp"
 #include "writer/x3d/tile_tree.hpp"
@@ -17,12 +17,6 @@ namespace cloudgen::writer {
 /// Clouds of a square are flat on it if it is wide and many times as wide as they reach up: it is a sheet
 /// from afar.
 bool isFlat(const TileNode& tile);
-
-/// Pixels of the pictures of a file's clouds.
-struct PictureSize {
-  double together = 0;  ///< of all of them, about
-  int longestSide = 0;  ///< of a cloud, at most
-};
 
 /// All pictures of one file in one texture: sheets of its flat squares, and of its clouds what they are from
 /// all sides.

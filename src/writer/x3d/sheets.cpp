@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <glm/common.hpp>
 
-#include "writer/x3d/cloud_pictures.hpp"
+#include "writer/pictures/cloud_pictures.hpp"
 
 namespace cloudgen::writer {
 Sheet sheetOf(const scene::Scene& scene, std::span<const std::uint32_t> instances, int pixels) {
   std::vector<ColoredPuff> puffs;
-  for (const std::uint32_t i : instances) appendColored(scene, scene.instances[i], puffs);
+  for (const std::uint32_t i : instances) appendColored(scene, scene.instances[i], kFromAbove, puffs);
   Sheet sheet;
-  sheet.picture = paintedPuffs(puffs, {{1, 0, 0}, {0, 0, -1}, {0, 1, 0}}, pixels);
+  sheet.picture = paintedPuffs(puffs, kFromAbove, pixels);
   sheet.patches = patchesOf(sheet.picture.image, 16);
   return sheet;
 }

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "writer/x3d/picture_atlas.hpp"
-#include "writer/x3d/puff_painting.hpp"
+#include "writer/pictures/picture_atlas.hpp"
+#include "writer/pictures/puff_painting.hpp"
 #include "writer/x3d/quads.hpp"
 
 namespace cloudgen::writer {

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "base/error.hpp"
 #include "check/fidelity/written_scene.hpp"
@@ -28,6 +30,7 @@ struct CardScene {
       shifts{0, 0, 0, 100, 50, 0}, scales{1, 1, 1, 2, 2, 2},
       turns{0, 0, 0, 1, 0, std::sqrt(0.5f), 0, std::sqrt(0.5f)};
   std::vector<std::uint16_t> colors;
+  std::vector<float> verticalOpticalDepths;
   std::vector<std::uint32_t> triangles{0, 1, 4, 0, 4, 3, 1, 2, 5, 1, 5, 4};
 
   explicit CardScene(double alpha = 0.5) {
@@ -41,6 +44,8 @@ struct CardScene {
     primitive["attributes"] = {{"POSITION", glb.column(points, "VEC3", 3)},
                                {"TEXCOORD_0", glb.column(places, "VEC2", 2)},
                                {"COLOR_0", glb.column(colors, "VEC4", 4)}};
+    if (!verticalOpticalDepths.empty())
+      primitive["attributes"]["_VERTICAL_OPTICAL_DEPTH"] = glb.column(verticalOpticalDepths, "SCALAR", 1);
     primitive["indices"] = glb.column(triangles, "SCALAR", 1);
     glb.document["nodes"][1]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = {
         {"TRANSLATION", glb.column(shifts, "VEC3", 3)},
@@ -69,6 +74,25 @@ TEST(GlbScene, EveryInstanceShowsTheCardsOfItsMesh) {
   EXPECT_FLOAT_EQ(seen[1].height, 550);
   EXPECT_NEAR(seen[1].halfSides().x, 22, 1e-2);
   EXPECT_NEAR(seen[1].halfSides().y, 44, 1e-2);
+}
+
+TEST(GlbScene, AReliefHasACardACellThatHoldsWhatItStates) {
+  CardScene made;
+  made.triangles = {0, 1, 4, 0, 4, 3, 1, 2, 5, 1, 5, 4};
+  made.verticalOpticalDepths = std::vector<float>(6, 3);
+  made.document["materials"][0]["doubleSided"] = false;
+  const WrittenScene scene = made.read();
+  ASSERT_EQ(scene.blobs.size(), 4u);
+  double held = 0;
+  for (std::size_t i = 0; i < 2; ++i)
+    held += 2 * std::numbers::pi * kWithinCard *
+            static_cast<double>(scene.blobs[i].strength *
+                                std::abs(glm::cross(scene.blobs[i].right(), scene.blobs[i].up()).y));
+  EXPECT_NEAR(held, 3 * 44 * 22, 3) << "whatever the spread within a cell";
+  EXPECT_NEAR(scene.blobs[0].center.x, 989, 1e-3);
+  EXPECT_TRUE(scene.blobs[0].front && scene.blobs[0].back) << "a column meets both sides of a cloud";
+  std::swap(made.triangles[3], made.triangles[4]);
+  EXPECT_THROW(made.read(), base::InputError);
 }
 
 TEST(GlbScene, AScaledNodeScalesItsInstances) {

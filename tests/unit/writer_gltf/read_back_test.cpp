@@ -42,16 +42,42 @@ TEST(ReadBack, SeesEveryPuffWhereTheSceneHasIt) {
   EXPECT_NEAR(file.sunElevationDegrees, scene.sun.elevationDegrees, 1e-9);
 }
 
-TEST(ReadBack, CardsTellHowDenseTheyAre) {
+TEST(ReadBack, ReliefsOfCloudsHoldWhatTheirPuffsHold) {
   scene::Scene scene = test::gltfScene();
-  for (shape::Puff& puff : scene.archetypes[0].farPuffs) puff.extinctionPerMeter = 2;
+  for (shape::Puff& puff : scene.archetypes[0].puffs)
+    puff.extinctionPerMeter *= 50;  // far denser than opacities tell
   const test::Scratch folder;
   writeCards(scene, {folder.path(), {}});
   const check::WrittenScene read = check::readGlbScene(folder.path() / "scene.glb");
-  ASSERT_FALSE(read.blobs.empty());
   EXPECT_EQ(read.saturated, 0u);
-  const float densest = std::ranges::max(read.blobs, {}, &check::Blob::strength).strength;
-  EXPECT_GT(densest, 100) << "an opacity of 16 bits ends at 12";
+  double held = 0, expected = 0;
+  for (const check::Blob& blob : read.blobs)
+    held += 2 * std::numbers::pi * check::kWithinCard *
+            static_cast<double>(blob.strength * std::abs(glm::cross(blob.right(), blob.up()).y));
+  for (const scene::Instance& instance : scene.instances)
+    for (const shape::Puff& puff : scene.archetypes[scene.lit[instance.lit].archetype].puffs)
+      expected += shape::extinctionArea(scene::placed(scene, instance, puff));
+  EXPECT_NEAR(held / expected, 1, 0.02);
+}
+
+TEST(ReadBack, ReliefsOfCloudsReachFromBaseToTop) {
+  const scene::Scene scene = test::gltfScene();
+  const test::Scratch folder;
+  writeCards(scene, {folder.path(), {}});
+  const check::WrittenScene read = check::readGlbScene(folder.path() / "scene.glb");
+  float lowest = 1e9f, highest = -1e9f;
+  for (const check::Blob& blob : read.blobs)
+    if (blob.strength > 1)
+      lowest = std::min(lowest, blob.center.y), highest = std::max(highest, blob.center.y);
+  double base = 1e9, top = -1e9;
+  for (const scene::Instance& instance : scene.instances)
+    for (const shape::Puff& puff : scene.archetypes[0].puffs) {
+      if (scene.lit[instance.lit].archetype != 0) continue;
+      base = std::min(base, static_cast<double>(scene::placed(scene, instance, puff).center.y));
+      top = std::max(top, static_cast<double>(scene::placed(scene, instance, puff).center.y));
+    }
+  EXPECT_NEAR(lowest, base, 150);
+  EXPECT_NEAR(highest, top, 150);
 }
 
 TEST(ReadBack, CloudsAsNodesStandWhereInstancesDo) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "writer/x3d/picture_atlas.hpp"
+#include "writer/pictures/picture_atlas.hpp"
 
 #include <algorithm>
 #include <cmath>

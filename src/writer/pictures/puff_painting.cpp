@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "writer/x3d/puff_painting.hpp"
+#include "writer/pictures/puff_painting.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -39,12 +39,6 @@ Footprint footprintOf(const ColoredPuff& colored, const Sight& sight) {
   return out;
 }
 
-/// What a pixel shows; colour and nearness have alpha multiplied into them.
-struct Pixel {
-  glm::vec3 color{0};
-  float alpha = 0, nearness = 0;
-};
-
 /// Widens what is narrower than a pixel to it, with as much extinction.
 void widen(Footprint& puff, const glm::vec2& step) {
   constexpr float kNarrowest = 0.35f;  // deviations, in pixels
@@ -55,7 +49,7 @@ void widen(Footprint& puff, const glm::vec2& step) {
 }
 
 void paint(Footprint puff, const glm::vec2& lower, const glm::vec2& step, const glm::ivec2& size,
-           std::vector<Pixel>& canvas) {
+           std::vector<PaintedPixel>& canvas) {
   widen(puff, step);
   const glm::vec2 reach = kReach * glm::vec2(std::sqrt(puff.xx), std::sqrt(puff.yy));
   const glm::ivec2 low = glm::max(glm::ivec2((puff.middle - reach - lower) / step), 1),
@@ -68,12 +62,14 @@ void paint(Footprint puff, const glm::vec2& lower, const glm::vec2& step, const 
           (puff.yy * away.x * away.x - 2 * puff.xy * away.x * away.y + puff.xx * away.y * away.y) /
           determinant;
       if (q > kReach * kReach) continue;
-      const float alpha = -std::expm1(-puff.opticalDepth * std::exp(-0.5f * q));
-      Pixel& pixel = canvas[static_cast<std::size_t>(size.y - 1 - row) * static_cast<std::size_t>(size.x) +
-                            static_cast<std::size_t>(column)];
+      const float opticalDepth = puff.opticalDepth * std::exp(-0.5f * q), alpha = -std::expm1(-opticalDepth);
+      PaintedPixel& pixel =
+          canvas[static_cast<std::size_t>(size.y - 1 - row) * static_cast<std::size_t>(size.x) +
+                 static_cast<std::size_t>(column)];
       pixel.color = alpha * puff.color + (1 - alpha) * pixel.color;
       pixel.nearness = alpha * puff.nearness + (1 - alpha) * pixel.nearness;
       pixel.alpha = alpha + (1 - alpha) * pixel.alpha;
+      pixel.opticalDepth += opticalDepth;
     }
 }
 
@@ -82,7 +78,7 @@ unsigned char byteOf(float value) {
 }
 
 /// Colours go on under what is hardly seen, so that filtering makes no fringe.
-void appendBytes(const Pixel& pixel, const glm::vec3& mean, std::vector<unsigned char>& bytes) {
+void appendBytes(const PaintedPixel& pixel, const glm::vec3& mean, std::vector<unsigned char>& bytes) {
   constexpr float kFaint = 0.01f;
   const glm::vec3 color = (pixel.color + kFaint * mean) / (pixel.alpha + kFaint);
   for (int c = 0; c < 3; ++c) bytes.push_back(byteOf(color[c]));
@@ -106,8 +102,9 @@ struct Seen {
   glm::vec2 sides() const { return glm::max(upper - lower, 1e-3f); }
 };
 
-/// Leaves out what is hardly seen at the borders, but for a pixel: it is blended, too.
-void crop(PuffPicture& picture) {
+/// Leaves out what is hardly seen at the borders, but for a pixel: it is blended, too. Returns where the
+/// upper left corner of what is left was.
+glm::ivec2 crop(PuffPicture& picture) {
   const image::ByteImage& whole = picture.image;
   const glm::ivec2 size(whole.width, whole.height);
   glm::ivec2 low = size, high(-1);
@@ -117,7 +114,7 @@ void crop(PuffPicture& picture) {
         low = glm::min(low, glm::ivec2(x, y));
         high = glm::max(high, glm::ivec2(x, y));
       }
-  if (high.x < 0) return;
+  if (high.x < 0) return glm::ivec2(0);
   low = glm::max(low - 1, 0);
   high = glm::min(high + 2, size);
   image::ByteImage cropped{high.x - low.x, high.y - low.y, 4, {}};
@@ -129,9 +126,10 @@ void crop(PuffPicture& picture) {
   picture.upper = picture.lower + step * glm::vec2(high.x, size.y - low.y);
   picture.lower += step * glm::vec2(low.x, size.y - high.y);
   picture.image = std::move(cropped);
+  return low;
 }
 
-PuffPicture pictureOf(const Seen& seen, float pixelsPerMeter) {
+PuffPicture pictureOf(const Seen& seen, float pixelsPerMeter, int reliefCells) {
   constexpr int kMostPixels = 512;
   const glm::ivec2 size = glm::clamp(glm::ivec2(glm::ceil(pixelsPerMeter * seen.sides())) + 2,
                                      glm::ivec2(kFewestPixels), glm::ivec2(kMostPixels));
@@ -139,11 +137,11 @@ PuffPicture pictureOf(const Seen& seen, float pixelsPerMeter) {
   PuffPicture picture;
   picture.lower = seen.lower - step;
   picture.upper = seen.upper + step;
-  std::vector<Pixel> canvas(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
+  std::vector<PaintedPixel> canvas(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
   for (const Footprint& puff : seen.footprints) paint(puff, picture.lower, step, size, canvas);
 
-  Pixel sum;
-  for (const Pixel& pixel : canvas) {
+  PaintedPixel sum;
+  for (const PaintedPixel& pixel : canvas) {
     sum.color += pixel.color;
     sum.alpha += pixel.alpha;
     sum.nearness += pixel.nearness;
@@ -152,8 +150,10 @@ PuffPicture pictureOf(const Seen& seen, float pixelsPerMeter) {
   picture.surface = sum.nearness / whole;
   picture.image = {size.x, size.y, 4, {}};
   picture.image.bytes.reserve(4 * canvas.size());
-  for (const Pixel& pixel : canvas) appendBytes(pixel, sum.color / whole, picture.image.bytes);
-  crop(picture);
+  for (const PaintedPixel& pixel : canvas) appendBytes(pixel, sum.color / whole, picture.image.bytes);
+  const glm::ivec2 corner = crop(picture);
+  if (reliefCells > 0)
+    picture.relief = reliefOf(picture.image, picture.surface, {canvas, size.x, corner}, reliefCells);
   return picture;
 }
 
@@ -187,15 +187,16 @@ std::vector<glm::ivec4> patchesOf(const image::ByteImage& picture, int cells) {
   return patches;
 }
 
-PuffPicture paintedPuffs(std::span<const ColoredPuff> puffs, const Sight& sight, float pixelsPerMeter) {
+PuffPicture paintedPuffs(std::span<const ColoredPuff> puffs, const Sight& sight, float pixelsPerMeter,
+                         int reliefCells) {
   if (puffs.empty()) return {};
-  return pictureOf(Seen(puffs, sight), pixelsPerMeter);
+  return pictureOf(Seen(puffs, sight), pixelsPerMeter, reliefCells);
 }
 
 PuffPicture paintedPuffs(std::span<const ColoredPuff> puffs, const Sight& sight, int pixels) {
   if (puffs.empty()) return {};
   const Seen seen(puffs, sight);
-  return pictureOf(seen, static_cast<float>(pixels - 2) / std::max(seen.sides().x, seen.sides().y));
+  return pictureOf(seen, static_cast<float>(pixels - 2) / std::max(seen.sides().x, seen.sides().y), 0);
 }
 
 }  // namespace cloudgen::writer

@@ -5,13 +5,11 @@
 #include <glm/geometric.hpp>
 
 #include "support/small_scene.hpp"
-#include "writer/x3d/cloud_pictures.hpp"
-#include "writer/x3d/picture_atlas.hpp"
+#include "writer/pictures/cloud_pictures.hpp"
+#include "writer/pictures/picture_atlas.hpp"
 
 namespace cloudgen::writer {
 namespace {
-
-constexpr Sight kFromSouth{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
 double meanAlpha(const PuffPicture& picture) {
   double sum = 0;
@@ -49,39 +47,71 @@ TEST(Pictures, ShowTheNearPuffBeforeTheFarOne) {
   EXPECT_NEAR(north.surface, 450, 150);
 }
 
+TEST(Pictures, HaveTheReliefOfWhatTheyShow) {
+  std::vector<ColoredPuff> puffs(2);
+  for (ColoredPuff& puff : puffs) puff.puff.sigma = glm::vec3(100), puff.puff.extinctionPerMeter = 0.1f;
+  puffs[0].puff.center = {-400, 0, 300};
+  puffs[1].puff.center = {400, 0, -300};
+  const PuffPicture picture = paintedPuffs(puffs, kFromSouth, 0.1f, 12);
+  const Relief& relief = picture.relief;
+  EXPECT_EQ(std::max(relief.columns, relief.rows), 12);
+  const int middle = relief.rows / 2;
+  EXPECT_NEAR(relief.nearness[relief.vertex(1, middle)], 300, 60);
+  EXPECT_NEAR(relief.nearness[relief.vertex(relief.columns - 1, middle)], -300, 60);
+  const glm::dvec2 cell = glm::dvec2(picture.upper - picture.lower) / glm::dvec2(relief.columns, relief.rows);
+  double held = 0;
+  for (const auto& [column, row] : relief.shown)
+    for (const auto& [right, down] : {std::pair{0, 0}, {1, 0}, {0, 1}, {1, 1}})
+      held += 0.25 * cell.x * cell.y *
+              static_cast<double>(relief.opticalDepth[relief.vertex(column + right, row + down)]);
+  EXPECT_NEAR(held / (shape::extinctionArea(puffs[0].puff) + shape::extinctionArea(puffs[1].puff)), 1, 0.03);
+}
+
+/// Of what is seen of a picture, sRGB.
+glm::dvec3 meanColor(const image::ByteImage& image) {
+  glm::dvec3 sum(0);
+  double alpha = 0;
+  for (std::size_t i = 0; i < image.bytes.size(); i += 4) {
+    sum += image.bytes[i + 3] / 255.0 * glm::dvec3(image.bytes[i], image.bytes[i + 1], image.bytes[i + 2]) /
+           255.0;
+    alpha += image.bytes[i + 3] / 255.0;
+  }
+  return sum / alpha;
+}
+
+TEST(Pictures, AreAsBrightAsThePuffsTheyStandFor) {
+  scene::Scene scene = test::smallScene();
+  const light::PuffLight light{{0.4f, 0.45f, 0.5f}, 0.3f};
+  for (light::PuffLight& puff : scene.lit[0].puffs) puff = light;
+  const light::EncodedLight shown = light::encoded(light, scene.sun.color);
+  const CloudPictures cloud = picturesOf(scene, 0, 64);
+  ASSERT_EQ(cloud.turning.size(), 1u);
+  EXPECT_LT(glm::distance(meanColor(cloud.turning[0].picture.image), glm::dvec3(shown.mean)), 0.01);
+  // What looks towards the sun sees more of the light that goes on forwards; both sides together the mean.
+  for (std::size_t i = 0; i < cloud.upright.size(); i += 2) {
+    const glm::dvec3 front = meanColor(cloud.upright[i].picture.image),
+                     back = meanColor(cloud.upright[i + 1].picture.image);
+    EXPECT_LT(glm::distance(0.5 * (front + back), glm::dvec3(shown.mean)), 0.01);
+    EXPECT_EQ(front.y<back.y, glm::dot(cloud.upright[i].sight.towards, scene.sun.direction)> 0);
+  }
+  const glm::dvec3 below = meanColor(cloud.level[1].picture.image),
+                   above = meanColor(cloud.level[0].picture.image);
+  EXPECT_GT(below.y, above.y);
+}
+
 TEST(Pictures, OfFlatCloudsLieLevelAlone) {
   scene::Scene scene = test::smallScene();
   for (std::uint32_t lit = 0; lit < scene.lit.size(); ++lit) {
     const shape::Bounds& box = scene.archetypes[scene.lit[lit].archetype].bounds;
     const glm::vec3 size = box.upper - box.lower;
     const CloudPictures cloud = picturesOf(scene, lit, 64);
-    EXPECT_EQ(cloud.level.size(), 2u);
+    EXPECT_EQ(cloud.level.size() % 2, 0u);
     const std::size_t others = cloud.upright.size() + cloud.turning.size();
     if (size.y < 0.2f * std::min(size.x, size.z)) {
       EXPECT_EQ(others, 0u);
     }
     if (size.y > 0.6f * std::max(size.x, size.z)) {
       EXPECT_EQ(others, 5u);
-    }
-  }
-}
-
-TEST(Pictures, QuadsStandWhereTheCloudDoes) {
-  const scene::Scene scene = test::smallScene();
-  const shape::Bounds& box = scene.archetypes[scene.lit[0].archetype].bounds;
-  const CloudPictures cloud = picturesOf(scene, 0, 64);
-  std::vector<const image::ByteImage*> images;
-  for (const CloudPicture& one : cloud.level) images.push_back(&one.picture.image);
-  const PictureAtlas atlas(images);
-  const glm::vec3 place(1000, 2000, -3000);
-  for (const Outline outline : {Outline::Whole, Outline::Tight}) {
-    QuadMesh mesh;
-    appendQuads(cloud.level, atlas, 0, place, 2, glm::vec3(1), mesh, outline);
-    ASSERT_FALSE(mesh.quads.empty());
-    EXPECT_EQ(mesh.faces.size(), mesh.quads.size());
-    for (const Quad& quad : mesh.quads) {
-      EXPECT_GE(quad.center.y, place.y + 2 * box.lower.y);
-      EXPECT_LE(quad.center.y, place.y + 2 * box.upper.y);
     }
   }
 }

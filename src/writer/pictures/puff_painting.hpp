@@ -10,6 +10,7 @@
 #include "image/picture.hpp"
 #include "scene/scene.hpp"
 #include "shape/puff.hpp"
+#include "writer/pictures/relief.hpp"
 
 namespace cloudgen::writer {
 
@@ -29,17 +30,17 @@ struct PuffPicture {
   image::ByteImage image;  ///< straight alpha, sRGB, its first row upmost; hardly anything at the border
   glm::vec2 lower{0}, upper{0};  ///< its corners, along right and up, metres
   float surface = 0;             ///< mean place of what is seen, along towards, metres
+  Relief relief;                 ///< if it was asked for
 };
-
-/// What has less alpha is hardly seen.
-inline constexpr unsigned char kSeenAlpha = 3;
 
 /// Rectangles around what is seen (left, top, right, bottom in pixels), so many cells along the longer side
 /// looked at: nothing transparent is drawn that need not be.
 std::vector<glm::ivec4> patchesOf(const image::ByteImage& picture, int cells);
 
-/// Paints puffs from far to near as their Gaussians, out to where they end.
-PuffPicture paintedPuffs(std::span<const ColoredPuff> puffs, const Sight& sight, float pixelsPerMeter);
+/// Paints puffs from far to near as their Gaussians, out to where they end; with a relief of so many cells
+/// along the longer side, or none.
+PuffPicture paintedPuffs(std::span<const ColoredPuff> puffs, const Sight& sight, float pixelsPerMeter,
+                         int reliefCells = 0);
 /// The same with so many pixels along the longer side.
 PuffPicture paintedPuffs(std::span<const ColoredPuff> puffs, const Sight& sight, int pixels);
 
