@@ -116,6 +116,7 @@ class Tiles {
     }
     const FilePictures pictures(scene_, squares, kPicturesAtHand, "pictures.png");
     pictures.texture(folder);
+    declareUnlit(nodes);
     File main{nodes, shapes, CloudNodes(nodes, shapes, scene_, coverings_, &meshes_), pictures};
     for (std::size_t i = 0; i < trees_.size(); ++i) {
       if (!isAtHand_[i])
@@ -266,6 +267,7 @@ class Tiles {
     if (!isSmall_) addParts(tile, squares);
     const FilePictures pictures(scene_, squares, kTilePictures, fmt::format("pictures_{}.png", tile.name));
     pictures.texture(folder);
+    declareUnlit(*nodes);
     File one{*nodes, shapes, CloudNodes(*nodes, shapes, scene_, coverings_, &meshes_), pictures};
     if (isSmall_)
       for (const std::uint32_t i : tile.instances)

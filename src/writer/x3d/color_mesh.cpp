@@ -15,6 +15,7 @@ int decimalsFor(const ColorMesh& mesh) {
   return std::max({reach.x, reach.y, reach.z}) > kWide ? 0 : 1;
 }
 
+constexpr const char* kUnlit = "Unlit";
 constexpr float kOpaque = 0.95f;          ///< opacity of what is drawn without looking through it
 constexpr std::size_t kFewestOpaque = 6;  ///< triangles that are worth a Shape of their own
 
@@ -59,6 +60,16 @@ ColorMesh partOf(const ColorMesh& mesh, const std::vector<bool>& isOfPart) {
   return part;
 }
 
+/// Colours as they are, unlit. X3DOM 1.8 sorts by distance only what has a translucent Material.
+void writeLook(NodeWriter& nodes) {
+  if (nodes.encoding() != Encoding::Xml) return;
+  nodes.open("Appearance", "appearance");
+  nodes.open("ProtoInstance", "material");
+  nodes.string("name", kUnlit);
+  nodes.close();
+  nodes.close();
+}
+
 void writeShape(NodeWriter& nodes, const ColorMesh& mesh, const glm::vec3& tint, bool opaque) {
   if (mesh.indices.empty()) return;
   std::vector<float> points, colors;
@@ -69,6 +80,7 @@ void writeShape(NodeWriter& nodes, const ColorMesh& mesh, const glm::vec3& tint,
     if (!opaque) colors.push_back(color.a);
   }
   nodes.open("Shape");
+  if (!opaque) writeLook(nodes);
   nodes.open("IndexedTriangleSet", "geometry");
   nodes.integers("index", mesh.indices);
   nodes.open(opaque ? "Color" : "ColorRGBA", "color");
@@ -93,6 +105,20 @@ void appendMesh(const CloudPicture& one, std::size_t mostTriangles, const glm::v
   mesh.colors.insert(mesh.colors.end(), flat.colors.begin(), flat.colors.end());
   for (const std::uint32_t index : flat.indices)
     mesh.indices.push_back(first + static_cast<std::int32_t>(index));
+}
+
+void declareUnlit(NodeWriter& nodes) {
+  if (nodes.encoding() != Encoding::Xml) return;
+  nodes.open("ProtoDeclare");
+  nodes.string("name", kUnlit);
+  nodes.open("ProtoBody");
+  nodes.open("UnlitMaterial", "material");
+  nodes.close();
+  nodes.open("Material", "material");
+  nodes.number("transparency", 0.001, 3);
+  nodes.close();
+  nodes.close();
+  nodes.close();
 }
 
 void writeMesh(NodeWriter& nodes, const ColorMesh& mesh, const glm::vec3& tint) {

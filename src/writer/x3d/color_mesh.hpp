@@ -23,6 +23,11 @@ struct ColorMesh {
 void appendMesh(const CloudPicture& picture, std::size_t mostTriangles, const glm::vec3& origin,
                 ColorMesh& mesh);
 
+/// Declares what the Shapes of a file look like, before the first of them: an UnlitMaterial, as the first
+/// node of a prototype is what it stands for. X3DOM 1.8 does not know that node and takes the Material behind
+/// it, which it sorts by distance; as no light is on there are the same colours.
+void declareUnlit(NodeWriter& nodes);
+
 /// Writes a Shape, its colours multiplied by `tint`; none for no triangle. Not for VRML97.
 void writeMesh(NodeWriter& nodes, const ColorMesh& mesh, const glm::vec3& tint);
 
