@@ -11,8 +11,8 @@ namespace cloudgen::writer {
 namespace {
 
 constexpr int kPixels = 64;
-constexpr std::array<std::size_t, 3> kTriangles{300, 120, 40};  ///< by Fineness
-constexpr std::size_t kPartTriangles = 70;
+constexpr std::array<std::size_t, 3> kTriangles{900, 400, 120};  ///< by Fineness
+constexpr std::size_t kPartTriangles = 160;
 
 /// A puff that is seen as a quad of a Billboard is, almost without thickness.
 ColoredPuff puffOf(const Quad& quad) {
