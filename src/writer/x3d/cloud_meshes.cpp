@@ -67,6 +67,7 @@ ColorMesh pictureOf(const CloudPart& part) {
   CloudPicture picture{paintedPuffs(puffs, sight, kPixels), sight};
   picture.picture.surface = 0;
   ColorMesh mesh;
+  mesh.mayHide = false;
   appendMesh(picture, kPartTriangles, glm::vec3(0), mesh);
   return mesh;
 }

@@ -27,7 +27,7 @@ std::vector<bool> opaqueOf(const ColorMesh& mesh) {
         std::all_of(mesh.indices.begin() + static_cast<std::ptrdiff_t>(t),
                     mesh.indices.begin() + static_cast<std::ptrdiff_t>(t) + 3,
                     [&](std::int32_t i) { return mesh.colors[static_cast<std::size_t>(i)].a >= kOpaque; }));
-  if (static_cast<std::size_t>(std::ranges::count(isOpaque, true)) < kFewestOpaque)
+  if (!mesh.mayHide || static_cast<std::size_t>(std::ranges::count(isOpaque, true)) < kFewestOpaque)
     isOpaque.assign(isOpaque.size(), false);
   return isOpaque;
 }

@@ -17,6 +17,7 @@ struct ColorMesh {
   std::vector<glm::vec3> points;
   std::vector<glm::vec4> colors;  ///< sRGB code values and opacity, 0..1
   std::vector<std::int32_t> indices;
+  bool mayHide = true;  ///< what is opaque hides what is behind; not where pictures cut through each other
 };
 
 /// Adds a picture of at most so many triangles where it stands, given from `origin`.
