@@ -31,7 +31,7 @@ struct CardNode {
   std::optional<base::Genus> drawn;     ///< of a Shape: whose sprites
   std::optional<base::Genus> recorded;  ///< of a Transform that is a cloud
   std::int64_t choice = 0;              ///< of a Choice: index of the child that is drawn, or none
-  bool isFile = false;                  ///< the Group of an Inline
+  bool isFile = false;                  ///< the Group of an Inline, or one that holds such
   bool isCloud = false;
   int depth = 1;  ///< of the graph below it
 };

@@ -222,6 +222,7 @@ class Reader {
     // What is near enough to choose by itself has the file at hand.
     if (parent.kind == CardNodeKind::Choice && nodes_[child].isFile)
       parent.choice = static_cast<std::int64_t>(parent.children.size());
+    if (parent.kind == CardNodeKind::Group && nodes_[child].isFile) parent.isFile = true;
     parent.children.push_back(child);
     parent.depth = std::max(parent.depth, nodes_[child].depth + 1);
     if (parent.depth > kMostDepth)

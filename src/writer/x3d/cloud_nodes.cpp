@@ -25,32 +25,73 @@ int depthStepOf(const scene::Instance& instance) {
   return static_cast<int>(std::lround(std::log(instance.opticalDepthFactor) / std::log(kDepthStep)));
 }
 
+const shape::Bounds& boxOf(const scene::Scene& scene, const scene::Instance& instance) {
+  return scene.archetypes[scene.lit[instance.lit].archetype].bounds;
+}
+
+/// The longest side of a cloud before it is scaled.
+float sizeOf(const scene::Scene& scene, const scene::Instance& instance) {
+  const glm::vec3 sides = boxOf(scene, instance).upper - boxOf(scene, instance).lower;
+  return std::max({sides.x, sides.y, sides.z});
+}
+
+base::Genus genusOf(const scene::Scene& scene, const scene::Instance& instance) {
+  return scene.archetypes[scene.lit[instance.lit].archetype].genus;
+}
+
 /// What clouds of its name share.
 CloudLook lookOf(const scene::Instance& instance) {
   return {instance.lit, sunlightOf(instance),
           std::pow(kDepthStep, static_cast<float>(depthStepOf(instance)))};
 }
 
-/// A cloud is drawn in full up to about so many times its own size away, at least and at most.
-constexpr float kLeastSizes = 0.75f, kMostSizes = 2;
+/// Of a cloud's own size: how far away it is drawn in full, at least and at most, and from where on as a
+/// picture that is less fine, and coarse.
+constexpr float kLeastSizes = 0.4f, kMostSizes = 0.6f, kMiddleSizes = 2.5f, kCoarseSizes = 6;
+constexpr std::array kFineToCoarse{MeshFineness::Fine, MeshFineness::Middle, MeshFineness::Coarse};
+
+float nearRange(float size, float reachMeters) {
+  return std::clamp(reachMeters, kLeastSizes * size, kMostSizes * size);
+}
 
 }  // namespace
 
-void CloudNodes::inLevels(std::uint32_t i, float rangeMeters) {
+void CloudNodes::near(std::uint32_t i, float reachMeters, Beyond beyond) {
   const scene::Instance& instance = scene_.instances[i];
   const std::string name = nameOf(instance);
   open(i);
+  if (!defined_.insert(name).second) {
+    nodes_.use("LOD", "children", name);
+    return nodes_.close();
+  }
+  const std::vector<CloudPart> full = partsIn(instance, CloudDetail::Full);
+  const float size = sizeOf(scene_, instance);
+  std::vector<float> ranges{nearRange(size, reachMeters)};
+  if (beyond == Beyond::Here) ranges.insert(ranges.end(), {kMiddleSizes * size, kCoarseSizes * size});
+
+  openLevels(instance, name, ranges);
+  parts(genusOf(scene_, instance), full, {});
+  if (beyond == Beyond::Elsewhere)
+    empty();
+  else
+    for (const MeshFineness fineness : kFineToCoarse) picture(instance, fineness);
+  nodes_.close();
+  nodes_.close();
+}
+
+void CloudNodes::whole(std::uint32_t i, std::optional<float> reachMeters) {
+  const scene::Instance& instance = scene_.instances[i];
+  const std::uint32_t archetype = scene_.lit[instance.lit].archetype;
+  const std::string name =
+      fmt::format("{}_{}_shade{}", reachMeters ? "Beyond" : "Whole", archetype, shadeOf(instance));
+  place(i);
   if (defined_.insert(name).second) {
-    const shape::Bounds& box = scene_.archetypes[scene_.lit[instance.lit].archetype].bounds;
-    const glm::vec3 sides = box.upper - box.lower;
-    const float size = std::max({sides.x, sides.y, sides.z});
-    nodes_.open("LOD", "children", name);
-    nodes_.vector("center", glm::vec3(0, 0.5f * (box.lower.y + box.upper.y), 0), 1);
-    nodes_.numbers("range", std::array{std::clamp(rangeMeters, kLeastSizes * size, kMostSizes * size)}, 1, 0);
-    parts(instance, CloudDetail::Full, {});
-    nodes_.open("Group");
-    pictures_->writeCloud(nodes_, shapes_, instance.lit, sunlightOf(instance));
-    nodes_.close();
+    const float size = sizeOf(scene_, instance);
+    std::vector<float> ranges{kMiddleSizes * size, kCoarseSizes * size};
+    if (reachMeters) ranges.insert(ranges.begin(), nearRange(size, *reachMeters));
+    openLevels(instance, name, ranges);
+    if (reachMeters) empty();
+    for (const MeshFineness fineness : kFineToCoarse) picture(instance, fineness);
     nodes_.close();
   } else {
     nodes_.use("LOD", "children", name);
@@ -58,21 +99,50 @@ void CloudNodes::inLevels(std::uint32_t i, float rangeMeters) {
   nodes_.close();
 }
 
+void CloudNodes::empty() {
+  nodes_.open("Group");
+  nodes_.close();
+}
+
+/// Clouds of an archetype share it, whatever their heading.
+void CloudNodes::picture(const scene::Instance& instance, MeshFineness fineness) {
+  constexpr std::array kNames{"fine", "middle", "coarse"};
+  const std::uint32_t archetype = scene_.lit[instance.lit].archetype;
+  const std::string name = fmt::format("Picture_{}_{}_shade{}", archetype,
+                                       kNames[static_cast<std::size_t>(fineness)], shadeOf(instance));
+  if (!defined_.insert(name).second) return nodes_.use("Group", "children", name);
+  nodes_.open("Group", "children", name);
+  meshes_->write(nodes_, archetype, sunlightOf(instance), fineness);
+  nodes_.close();
+}
+
+void CloudNodes::openLevels(const scene::Instance& instance, const std::string& def,
+                            std::span<const float> ranges) {
+  const shape::Bounds& box = boxOf(scene_, instance);
+  nodes_.open("LOD", "children", def);
+  nodes_.vector("center", glm::vec3(0, 0.5f * (box.lower.y + box.upper.y), 0), 1);
+  nodes_.numbers("range", ranges, 1, 0);
+}
+
 void CloudNodes::fixed(std::uint32_t i, CloudDetail detail) {
   const std::string name = nameOf(scene_.instances[i]) + (detail == CloudDetail::Full ? "_full" : "_far");
   open(i);
   if (defined_.insert(name).second)
-    parts(scene_.instances[i], detail, name);
+    parts(genusOf(scene_, scene_.instances[i]), partsIn(scene_.instances[i], detail), name);
   else
     nodes_.use("Group", "children", name);
   nodes_.close();
 }
 
-void CloudNodes::open(std::uint32_t i) {
+void CloudNodes::place(std::uint32_t i) {
   const scene::Instance& instance = scene_.instances[i];
   nodes_.open("Transform");
   nodes_.vector("scale", glm::vec3(instance.scale), 4);
   nodes_.vector("translation", instance.position, 1);
+}
+
+void CloudNodes::open(std::uint32_t i) {
+  place(i);
   if (i < scene_.clouds.size()) record(scene_.clouds[i]);
 }
 
@@ -118,11 +188,14 @@ std::string CloudNodes::nameOf(const scene::Instance& instance) const {
                      depth != 0 ? fmt::format("_depth{}{}", depth < 0 ? "m" : "", std::abs(depth)) : "");
 }
 
-void CloudNodes::parts(const scene::Instance& instance, CloudDetail detail, const std::string& def) {
-  const base::Genus genus = scene_.archetypes[scene_.lit[instance.lit].archetype].genus;
+std::vector<CloudPart> CloudNodes::partsIn(const scene::Instance& instance, CloudDetail detail) const {
+  return partsOf(scene_, lookOf(instance), detail, coverings_.of(instance.lit, detail),
+                 shapes_.atlas(genusOf(scene_, instance)));
+}
+
+void CloudNodes::parts(base::Genus genus, const std::vector<CloudPart>& parts, const std::string& def) {
   nodes_.open("Group", "children", def);
-  for (const CloudPart& part :
-       partsOf(scene_, lookOf(instance), detail, coverings_.of(instance.lit, detail), shapes_.atlas(genus))) {
+  for (const CloudPart& part : parts) {
     if (!part.turns) {
       shapes_.write(genus, part.mesh);
       continue;

@@ -1,41 +1,54 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <set>
 #include <string>
 
+#include "writer/x3d/cloud_meshes.hpp"
 #include "writer/x3d/cloud_parts.hpp"
-#include "writer/x3d/file_pictures.hpp"
 #include "writer/x3d/quad_shape.hpp"
 
 namespace cloudgen::writer {
+
+/// Where a cloud is drawn for those who are not near it.
+enum class Beyond : unsigned char { Here, Elsewhere };
 
 /// Writes clouds of one file as nodes: a Transform with the cloud's record as metadata around its lit
 /// archetype, which the first cloud that needs it defines and the others use.
 class CloudNodes {
  public:
-  /// `pictures` may be null where no cloud is written in levels.
+  /// `meshes` may be null where no cloud is written in levels.
   CloudNodes(NodeWriter& nodes, QuadShapes& shapes, const scene::Scene& scene, const Coverings& coverings,
-             const FilePictures* pictures)
-      : nodes_(nodes), shapes_(shapes), scene_(scene), coverings_(coverings), pictures_(pictures) {}
+             const CloudMeshes* meshes)
+      : nodes_(nodes), shapes_(shapes), scene_(scene), coverings_(coverings), meshes_(meshes) {}
 
-  /// A cloud that is seen in full from up to `rangeMeters` away (in the archetype's metres, at least), beyond
-  /// it as its pictures.
-  void inLevels(std::uint32_t instance, float rangeMeters);
+  /// A cloud that is seen in full by who is almost in it, and as pictures of its parts by who is near: as far
+  /// away as `reachMeters` (in the archetype's metres), or a little of its own size. Beyond it is one
+  /// picture, unless that is drawn elsewhere.
+  void near(std::uint32_t instance, float reachMeters, Beyond beyond);
+  /// A cloud as one picture, without its record; drawn by those who are near, too, or from where on `near`
+  /// leaves it to.
+  void whole(std::uint32_t instance, std::optional<float> reachMeters);
   /// A cloud in one level of detail.
   void fixed(std::uint32_t instance, CloudDetail detail);
 
  private:
+  void place(std::uint32_t instance);
   void open(std::uint32_t instance);
   void record(const scene::CloudRecord& cloud);
   std::string nameOf(const scene::Instance& instance) const;
-  void parts(const scene::Instance& instance, CloudDetail detail, const std::string& def);
+  void openLevels(const scene::Instance& instance, const std::string& def, std::span<const float> ranges);
+  void empty();
+  void picture(const scene::Instance& instance, MeshFineness fineness);
+  std::vector<CloudPart> partsIn(const scene::Instance& instance, CloudDetail detail) const;
+  void parts(base::Genus genus, const std::vector<CloudPart>& parts, const std::string& def);
 
   NodeWriter& nodes_;
   QuadShapes& shapes_;
   const scene::Scene& scene_;
   const Coverings& coverings_;
-  const FilePictures* pictures_;
+  const CloudMeshes* meshes_;
   std::set<std::string> defined_;
 };
 

@@ -7,7 +7,6 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 #include <numeric>
-#include <set>
 
 #include "base/text.hpp"
 #include "base/thread.hpp"
@@ -20,7 +19,7 @@ namespace cloudgen::writer {
 namespace {
 
 constexpr double kLiveClouds = 250;       ///< clouds that are drawn one by one around the viewer, about
-constexpr double kFullClouds = 4;         ///< clouds that are drawn in full around the viewer, about
+constexpr double kNearClouds = 4;         ///< clouds that are drawn in parts around the viewer, about
 constexpr std::size_t kFarPuffs = 24000;  ///< puffs in the far shapes of all tiles together, about
 /// The pictures of clouds in the scene's file and in that of a tile.
 constexpr PictureSize kPicturesAtHand{1.2e6, 128}, kTilePictures{1e5, 64};
@@ -91,7 +90,9 @@ class Tiles {
         encoding_(encoding),
         trees_(tileTrees(scene, stage)),
         full_(fullOf(scene)),
-        coverings_(scene, atlases, full_) {
+        coverings_(scene, atlases, full_),
+        meshes_(scene),
+        isSmall_(scene.instances.size() <= kLiveClouds) {
     chooseAtHand();
   }
 
@@ -109,20 +110,21 @@ class Tiles {
   /// Writes the tiles into the scene's file.
   void roots(NodeWriter& nodes, QuadShapes& shapes, const std::filesystem::path& folder) const {
     std::vector<const TileNode*> squares;
-    std::set<std::uint32_t> lit;
-    for (std::size_t i = 0; i < trees_.size(); ++i) {
+    for (std::size_t i = 0; i < trees_.size() && !isSmall_; ++i) {
       squares.push_back(&trees_[i]);
       if (isAtHand_[i]) addParts(trees_[i], squares);
-      if (isAtHand_[i] || !isFlat(trees_[i])) addLit(trees_[i], lit);
     }
-    const FilePictures pictures(scene_, squares, lit, kPicturesAtHand, "pictures.png");
+    const FilePictures pictures(scene_, squares, kPicturesAtHand, "pictures.png");
     pictures.texture(folder);
-    File main{nodes, shapes, CloudNodes(nodes, shapes, scene_, coverings_, &pictures), pictures};
+    declareUnlit(nodes);
+    File main{nodes, shapes, CloudNodes(nodes, shapes, scene_, coverings_, &meshes_), pictures};
     for (std::size_t i = 0; i < trees_.size(); ++i) {
-      if (isAtHand_[i])
-        levels(main, "Tile_" + trees_[i].name, trees_[i]);
-      else
+      if (!isAtHand_[i])
         away(main, trees_[i]);
+      else if (isSmall_)
+        within(main, trees_[i]);
+      else
+        levels(main, "Tile_" + trees_[i].name, trees_[i]);
     }
     for (std::size_t i = 0; i < trees_.size(); ++i)
       if (!isAtHand_[i]) routes(nodes, trees_[i].name);
@@ -139,7 +141,7 @@ class Tiles {
     std::size_t puffs = 0;
     for (const std::size_t tile : order) {
       puffs += puffsToRead(scene_, trees_[tile].instances);
-      if (puffs > kPuffsAtHand && tile != order.front()) break;
+      if (puffs > (isSmall_ ? kPuffsAtHandOfFew : kPuffsAtHand) && tile != order.front()) break;
       isAtHand_[tile] = true;
     }
   }
@@ -154,6 +156,7 @@ class Tiles {
 
   /// A viewer in the middle of a square always sees its clouds.
   float rangeOf(const TileNode& tile) const {
+    if (isSmall_) return reachOf(kNearClouds) + 0.7f * tile.side;
     if (isFlat(tile)) return kFlatRange * tile.side;
     return std::clamp(reachOf(kLiveClouds) + 0.5f * tile.side, 0.9f * tile.side,
                       std::max(4 * stage_.extent, tile.side));
@@ -167,11 +170,16 @@ class Tiles {
 
   /// A square as LODs of those within it, or as its clouds.
   void within(File& file, const TileNode& tile) const {
-    for (const TileNode& part : tile.children) levels(file, "Part_" + part.name, part);
+    for (const TileNode& part : tile.children) {
+      if (isSmall_)
+        within(file, part);
+      else
+        levels(file, "Part_" + part.name, part);
+    }
     if (!tile.children.empty()) return;
     for (const std::uint32_t i : tile.instances) {
       if (full_[i])
-        file.clouds.inLevels(i, reachOf(kFullClouds));
+        file.clouds.near(i, reachOf(kNearClouds), Beyond::Here);
       else
         file.clouds.fixed(i, CloudDetail::Simple);
     }
@@ -184,10 +192,6 @@ class Tiles {
     }
   }
 
-  void addLit(const TileNode& tile, std::set<std::uint32_t>& out) const {
-    for (const std::uint32_t i : tile.instances) out.insert(scene_.instances[i].lit);
-  }
-
   /// A square with its clouds and as it is from afar, both in this file.
   void levels(File& file, const std::string& def, const TileNode& tile) const {
     openLod(file.nodes, def, tile, rangeOf(tile));
@@ -198,6 +202,12 @@ class Tiles {
     file.pictures.writeSquare(file.shapes, tile);
     file.nodes.close();
     file.nodes.close();
+  }
+
+  /// A tile as it is until its file is there: its clouds as one picture each, or as it is from afar.
+  void fromAfar(File& file, const TileNode& tile) const {
+    if (!isSmall_) return file.pictures.writeSquare(file.shapes, tile);
+    for (const std::uint32_t i : tile.instances) file.clouds.whole(i, std::nullopt);
   }
 
   /// A tile as it is from afar until the viewer is near and its file is there. X3DOM 1.8 fetches any Inline
@@ -220,9 +230,14 @@ class Tiles {
     nodes.open("Switch", "children", "Choice_" + tile.name);
     nodes.integer("whichChoice", 0);
     nodes.open("Group", "children", "Far_" + tile.name);
-    file.pictures.writeSquare(file.shapes, tile);
+    fromAfar(file, tile);
     nodes.close();
+    if (isSmall_) nodes.open("Group");
     nodes.use("Inline", "children", "Clouds_" + tile.name);
+    if (isSmall_) {
+      for (const std::uint32_t i : tile.instances) file.clouds.whole(i, reachOf(kNearClouds));
+      nodes.close();
+    }
     nodes.close();
     nodes.use("Group", "children", "Far_" + tile.name);
     nodes.close();
@@ -249,14 +264,16 @@ class Tiles {
          {"creator", "cloudgen"},
          {"generator", "cloudgen"}});
     std::vector<const TileNode*> squares;
-    std::set<std::uint32_t> lit;
-    addParts(tile, squares);
-    addLit(tile, lit);
-    const FilePictures pictures(scene_, squares, lit, kTilePictures,
-                                fmt::format("pictures_{}.png", tile.name));
+    if (!isSmall_) addParts(tile, squares);
+    const FilePictures pictures(scene_, squares, kTilePictures, fmt::format("pictures_{}.png", tile.name));
     pictures.texture(folder);
-    File one{*nodes, shapes, CloudNodes(*nodes, shapes, scene_, coverings_, &pictures), pictures};
-    within(one, tile);
+    declareUnlit(*nodes);
+    File one{*nodes, shapes, CloudNodes(*nodes, shapes, scene_, coverings_, &meshes_), pictures};
+    if (isSmall_)
+      for (const std::uint32_t i : tile.instances)
+        one.clouds.near(i, reachOf(kNearClouds), Beyond::Elsewhere);
+    else
+      within(one, tile);
     nodes->finish();
   }
 
@@ -267,6 +284,8 @@ class Tiles {
   std::vector<TileNode> trees_;
   std::vector<bool> full_, isAtHand_;
   Coverings coverings_;
+  CloudMeshes meshes_;
+  bool isSmall_;  ///< all clouds are drawn one by one wherever the viewer is: nothing is seen from afar
 };
 
 /// All clouds in one file: those nearest to where the viewpoints look in full, more of them as their far

@@ -76,10 +76,12 @@ void writeViews(NodeWriter& nodes, const scene::Scene& scene, const Stage& stage
   }
 }
 
+/// Nothing is lit by it: all colours are those that the sun has made.
 void writeSun(NodeWriter& nodes, const light::Sun& sun) {
   nodes.open("DirectionalLight", "children", "Sun");
   nodes.vector("color", srgbFromLinear(sun.color), 3);
   nodes.vector("direction", -sun.direction, 4);
+  if (nodes.encoding() != Encoding::Vrml97) nodes.boolean("on", false);
   nodes.close();
 }
 

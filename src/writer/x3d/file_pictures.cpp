@@ -22,11 +22,17 @@ bool isFlat(const TileNode& tile) {
 }
 
 FilePictures::FilePictures(const scene::Scene& scene, const std::vector<const TileNode*>& squares,
-                           const std::set<std::uint32_t>& lit, const PictureSize& size, std::string name)
+                           const PictureSize& size, std::string name)
     : scene_(scene), name_(std::move(name)) {
   std::vector<std::pair<const TileNode*, Sheet*>> flat;
-  for (const TileNode* tile : squares)
-    if (isFlat(*tile)) flat.emplace_back(tile, &sheets_[tile]);
+  std::set<std::uint32_t> lit;
+  for (const TileNode* tile : squares) {
+    if (isFlat(*tile)) {
+      flat.emplace_back(tile, &sheets_[tile]);
+      continue;
+    }
+    for (const std::uint32_t i : tile->instances) lit.insert(scene.instances[i].lit);
+  }
   const int sheetPixels = flat.size() <= kFineSheets ? kSheetPixels : kSheetPixels / 2;
   base::parallelFor(flat.size(), [&](std::size_t i) {
     *flat[i].second = sheetOf(scene, flat[i].first->instances, sheetPixels);
@@ -40,7 +46,7 @@ FilePictures::FilePictures(const scene::Scene& scene, const std::vector<const Ti
   }
   for (auto& [index, cloud] : clouds_) {
     cloud.first = images.size();
-    for (const auto* some : {&cloud.pictures.level, &cloud.pictures.upright, &cloud.pictures.turning})
+    for (const auto* some : {&cloud.pictures.level, &cloud.pictures.upright})
       for (const CloudPicture& one : *some) images.push_back(&one.picture.image);
   }
   isEmpty_ = images.empty();
@@ -74,29 +80,6 @@ void FilePictures::writeSquare(QuadShapes& shapes, const TileNode& tile) const {
   }
   orderFaces(mesh, LevelFaces::First);
   write(shapes, mesh);
-}
-
-void FilePictures::writeCloud(NodeWriter& nodes, QuadShapes& shapes, std::uint32_t lit,
-                              float sunlight) const {
-  const auto& [level, upright, turning] = clouds_.at(lit).pictures;
-  const std::size_t first = clouds_.at(lit).first;
-  const glm::vec3 tint = tintOf(scene_, lit, sunlight);
-  QuadMesh mesh;
-  if (turning.empty()) {
-    appendQuads(level, *atlas_, first, glm::vec3(0), 1, tint, mesh, Outline::Tight);
-    return write(shapes, mesh);
-  }
-  // About every axis: a level picture beside it would be a line across it for those who look from beside.
-  const glm::vec3 middle = middleOf(turning.front());
-  appendQuads(turning, *atlas_, first + level.size() + upright.size(), -middle, 1, tint, mesh,
-              Outline::Tight);
-  nodes.open("Transform");
-  nodes.vector("translation", middle, 1);
-  nodes.open("Billboard");
-  nodes.vector("axisOfRotation", glm::vec3(0), 0);
-  write(shapes, mesh);
-  nodes.close();
-  nodes.close();
 }
 
 void FilePictures::write(QuadShapes& shapes, const QuadMesh& mesh) const {

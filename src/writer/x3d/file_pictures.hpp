@@ -18,18 +18,16 @@ namespace cloudgen::writer {
 /// from afar.
 bool isFlat(const TileNode& tile);
 
-/// All pictures of one file in one texture: sheets of its flat squares, and of its clouds what they are from
-/// all sides.
+/// The squares of one file from afar, all their pictures in one texture: sheets of the flat ones, and of the
+/// clouds of the others what they are from all sides.
 class FilePictures {
  public:
-  /// `name` is that of the texture's file. Pictures are painted of these lit archetypes.
+  /// `name` is that of the texture's file.
   FilePictures(const scene::Scene& scene, const std::vector<const TileNode*>& squares,
-               const std::set<std::uint32_t>& lit, const PictureSize& size, std::string name);
+               const PictureSize& size, std::string name);
 
   /// Writes a square as it is from afar: its sheet, or its clouds' pictures as one Shape.
   void writeSquare(QuadShapes& shapes, const TileNode& tile) const;
-  /// Writes a lit archetype in its own metres: what lies level, and a Billboard about the upright axis.
-  void writeCloud(NodeWriter& nodes, QuadShapes& shapes, std::uint32_t lit, float sunlight) const;
   /// Writes the texture, if there is a picture. Throws OutputError.
   void texture(const std::filesystem::path& folder) const;
 

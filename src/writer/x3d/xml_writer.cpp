@@ -8,7 +8,7 @@ namespace {
 /// The field that a node stands in when XML does not say containerField.
 std::string_view defaultField(std::string_view type) {
   if (type == "Appearance") return "appearance";
-  if (type == "Material") return "material";
+  if (type == "Material" || type == "UnlitMaterial") return "material";
   if (type == "ImageTexture") return "texture";
   if (type == "Coordinate") return "coord";
   if (type == "TextureCoordinate") return "texCoord";

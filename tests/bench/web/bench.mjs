@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The table of Murphy's thesis: one sky of cumulus as cloudgen writes it and as one Billboard a puff, in X_ITE and X3DOM, the
-// camera on a circle. One JSON line a case; --plot draws them.
+// camera on a circle. One JSON line a case (drawing_ms: processor time of the drawing process for a frame); --plot draws them.
 //   node tests/bench/web/bench.mjs BILLBOARD_SKY [--billboards 1,10,100,1000,2000,5000,10000] [--viewers xite,x3dom]
 //        [--kinds ours,thesis] [--seconds 8] [--wait 90] [--pictures DIR] [--plot FILE.svg] [--lines FILE.jsonl]
 import {execFileSync} from 'node:child_process';
@@ -10,7 +10,7 @@ import {join, resolve} from 'node:path';
 import {parseArgs} from 'node:util';
 import {withPage} from '../../web/lib/browser.mjs';
 import {serve} from '../../web/lib/server.mjs';
-import {memoryUnder} from './memory.mjs';
+import {drawingTimeUnder, memoryUnder} from './memory.mjs';
 import {plot} from './plot.mjs';
 
 const {values: options, positionals: [program]} = parseArgs({
@@ -67,7 +67,7 @@ async function orbit({middle, seconds}) {
   });
   gaps.shift();
   gaps.sort((a, b) => a - b);
-  return {fps: gaps.length / ((last - start) / 1000), p95: gaps[Math.floor(gaps.length * 0.95)] ?? null};
+  return {frames: gaps.length, fps: gaps.length / ((last - start) / 1000), p95: gaps[Math.floor(gaps.length * 0.95)] ?? null};
 }
 
 async function measure(folder, viewer, kind, billboards) {
@@ -86,8 +86,10 @@ async function measure(folder, viewer, kind, billboards) {
       line.first_frame_ms = Date.now() - started;
       await page.evaluate(addCamera, viewer);
       await page.evaluate(orbit, {middle, seconds: 4}); // what is near is loaded, shaders are built
-      const {fps, p95} = await page.evaluate(orbit, {middle, seconds: Number(options.seconds)});
-      Object.assign(line, {fps: Number(fps.toFixed(2)), p95_ms: p95 && Math.round(p95)}, memoryUnder(process.pid));
+      const before = drawingTimeUnder(process.pid);
+      const {frames, fps, p95} = await page.evaluate(orbit, {middle, seconds: Number(options.seconds)});
+      const drawing_ms = Math.round((drawingTimeUnder(process.pid) - before) / Math.max(frames, 1));
+      Object.assign(line, {fps: Number(fps.toFixed(2)), p95_ms: p95 && Math.round(p95), drawing_ms}, memoryUnder(process.pid));
       if (options.pictures) {
         await page.evaluate(([x, y, z]) => window.look(x, y, z + 1500, 0), middle);
         await page.waitForTimeout(3000);

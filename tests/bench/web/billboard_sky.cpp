@@ -3,6 +3,7 @@
 // its own for every puff). billboard_sky BILLBOARDS FOLDER; CLOUDGEN_DATA names the folder with textures/.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -65,7 +66,8 @@ void writeThesisStyle(const scene::Scene& sky, const std::filesystem::path& ours
                       const std::filesystem::path& file) {
   std::ifstream in(ours, std::ios::binary);
   std::string head{std::istreambuf_iterator<char>(in), {}};
-  const auto clouds = std::min(head.find("\n<ProximitySensor"), head.find("\n<LOD"));
+  const auto clouds =
+      std::min({head.find("\n<ProximitySensor"), head.find("\n<LOD"), head.find("\n<Transform scale")});
   std::ofstream out(file, std::ios::binary);
   out << head.substr(0, clouds);
   for (const scene::Instance& instance : sky.instances) {

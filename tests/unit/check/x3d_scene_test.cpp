@@ -161,6 +161,15 @@ TEST(X3dScene, WhatIsDefinedWhereItIsWatchedIsDrawnWhereItIsUsed) {
   EXPECT_NEAR(scene.blobs[0].opacity, 0.2, 1e-5);
 }
 
+TEST(X3dScene, AFileIsChosenWithWhatStandsBesideIt) {
+  const WrittenScene scene =
+      readFolder({{"scene.x3d", "<Switch whichChoice='0'><Group>" + card(kFront, 0.9, true) +
+                                    "</Group><Group><Inline url='\"a.x3d\"'/><Group/></Group></Switch>"},
+                  {"a.x3d", card(kFront, 0.2, true)}});
+  ASSERT_EQ(scene.blobs.size(), 1u);
+  EXPECT_NEAR(scene.blobs[0].opacity, 0.2, 1e-5);
+}
+
 TEST(X3dScene, ASwitchShowsItsChoice) {
   const auto shown = [](const char* choice) {
     return read(std::string("<Switch whichChoice='") + choice + "'>" + card(kFront, 0.2) + card(kFront, 0.9) +

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "writer/x3d/cloud_meshes.hpp"
+
+#include "base/thread.hpp"
+
+namespace cloudgen::writer {
+namespace {
+
+constexpr int kPixels = 128;
+constexpr std::array<std::size_t, 3> kTriangles{3000, 800, 160};  ///< by MeshFineness
+
+}  // namespace
+
+CloudMeshes::CloudMeshes(const scene::Scene& scene) : scene_(scene), wholes_(scene.archetypes.size()) {
+  std::vector<std::uint32_t> lit;  // the first of each archetype
+  std::vector<bool> isKnown(scene.archetypes.size(), false);
+  for (std::uint32_t i = 0; i < scene.lit.size(); ++i) {
+    if (isKnown[scene.lit[i].archetype]) continue;
+    isKnown[scene.lit[i].archetype] = true;
+    lit.push_back(i);
+  }
+  base::parallelFor(lit.size(), [&](std::size_t i) {
+    const CloudPictures pictures = picturesOf(scene, lit[i], kPixels);
+    Whole& whole = wholes_[scene.lit[lit[i]].archetype];
+    whole.lit = lit[i];
+    whole.turns = !pictures.turning.empty();
+    if (whole.turns) whole.middle = middleOf(pictures.turning.front());
+    for (std::size_t f = 0; f < kTriangles.size(); ++f) {
+      // Flat ones lie in one plane with others: what is hidden would be chance.
+      whole.meshes[f].mayHide = whole.turns;
+      for (const CloudPicture& one : whole.turns ? pictures.turning : pictures.level)
+        appendMesh(one, kTriangles[f], whole.middle, whole.meshes[f]);
+    }
+  });
+}
+
+void CloudMeshes::write(NodeWriter& nodes, std::uint32_t archetype, float sunlight, MeshFineness fineness) const {
+  const Whole& whole = wholes_[archetype];
+  const ColorMesh& mesh = whole.meshes[static_cast<std::size_t>(fineness)];
+  const glm::vec3 tint = tintOf(scene_, whole.lit, sunlight);
+  if (whole.turns)
+    writeTurning(nodes, whole.middle, mesh, tint);
+  else
+    writeMesh(nodes, mesh, tint);
+}
+
+}  // namespace cloudgen::writer

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "writer/pictures/picture_mesh.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/common.hpp>
+#include <map>
+
+#include "support/small_scene.hpp"
+#include "writer/pictures/cloud_pictures.hpp"
+
+namespace cloudgen::writer {
+namespace {
+
+/// Opacity times area, and luminance times that.
+struct Shown {
+  double cover = 0, light = 0;
+  double luminance() const { return light / cover; }
+};
+
+void add(Shown& sum, const glm::vec4& color, double area) {
+  sum.cover += area * color.w;
+  sum.light += area * color.w * (0.2126 * color.x + 0.7152 * color.y + 0.0722 * color.z);
+}
+
+Shown shownBy(const PuffPicture& picture) {
+  Shown sum;
+  const glm::vec2 sides = picture.upper - picture.lower;
+  const double pixel = static_cast<double>(sides.x) * sides.y / (picture.image.width * picture.image.height);
+  const auto& bytes = picture.image.bytes;
+  for (std::size_t i = 0; i < bytes.size(); i += 4)
+    add(sum, glm::vec4(bytes[i], bytes[i + 1], bytes[i + 2], bytes[i + 3]) / 255.0f, pixel);
+  return sum;
+}
+
+double areaOf(const PictureMesh& mesh, std::size_t triangle) {
+  const glm::vec2 &a = mesh.points[mesh.indices[triangle]], &b = mesh.points[mesh.indices[triangle + 1]],
+                  &c = mesh.points[mesh.indices[triangle + 2]];
+  return 0.5 * static_cast<double>((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
+}
+
+/// As a viewer fills triangles: colours and opacities go straight from corner to corner.
+Shown shownBy(const PictureMesh& mesh) {
+  constexpr int kSteps = 8;
+  Shown sum;
+  for (std::size_t t = 0; t < mesh.indices.size(); t += 3)
+    for (int i = 0; i < kSteps; ++i)
+      for (int j = 0; i + j < kSteps; ++j) {
+        const float u = (static_cast<float>(i) + 1 / 3.0f) / kSteps,
+                    v = (static_cast<float>(j) + 1 / 3.0f) / kSteps;
+        const bool hasOther = i + j + 1 < kSteps;
+        const auto at = [&](float p, float q) {
+          return (1 - p - q) * mesh.colors[mesh.indices[t]] + p * mesh.colors[mesh.indices[t + 1]] +
+                 q * mesh.colors[mesh.indices[t + 2]];
+        };
+        const double area = areaOf(mesh, t) / (kSteps * kSteps);
+        add(sum, at(u, v), area);
+        if (hasOther) add(sum, at(u + 1 / 3.0f / kSteps, v + 1 / 3.0f / kSteps), area);
+      }
+  return sum;
+}
+
+TEST(PictureMesh, CoversAndIsAsBrightAsItsPicture) {
+  const scene::Scene scene = test::smallScene();
+  for (std::uint32_t lit = 0; lit < scene.lit.size(); ++lit) {
+    const CloudPictures cloud = picturesOf(scene, lit, 64);
+    for (const auto* some : {&cloud.level, &cloud.upright, &cloud.turning})
+      for (const CloudPicture& one : *some)
+        for (const std::size_t most : {60u, 120u, 400u}) {
+          const Shown wanted = shownBy(one.picture), mesh = shownBy(meshOf(one.picture, most));
+          EXPECT_NEAR(mesh.cover, wanted.cover, 0.02 * wanted.cover) << lit << " " << most;
+          EXPECT_NEAR(mesh.luminance(), wanted.luminance(), 0.03 * wanted.luminance()) << lit << " " << most;
+        }
+  }
+}
+
+TEST(PictureMesh, HasNoMoreTrianglesThanWantedAndNoneTurnedAway) {
+  const scene::Scene scene = test::smallScene();
+  const CloudPictures cloud = picturesOf(scene, 0, 64);
+  for (const std::size_t most : {20u, 60u, 300u}) {
+    const PictureMesh mesh = meshOf(cloud.level[0].picture, most);
+    EXPECT_LE(mesh.indices.size() / 3, most);
+    EXPECT_GT(mesh.indices.size() / 3, most / 3);
+    for (std::size_t t = 0; t < mesh.indices.size(); t += 3) EXPECT_GT(areaOf(mesh, t), 0);
+  }
+}
+
+TEST(PictureMesh, NoEdgeMeetsTheMiddleOfAnother) {
+  const scene::Scene scene = test::smallScene();
+  const PictureMesh mesh = meshOf(picturesOf(scene, 0, 64).level[0].picture, 200);
+  const auto at = [&](std::size_t i) { return mesh.points[mesh.indices[i]]; };
+  for (std::size_t t = 0; t < mesh.indices.size(); ++t) {
+    const glm::vec2 a = at(t), b = at(t - t % 3 + (t + 1) % 3);
+    for (const glm::vec2& point : mesh.points)
+      EXPECT_GT(glm::distance(point, 0.5f * (a + b)), 1e-3f * glm::distance(a, b));
+  }
+}
+
+TEST(PictureMesh, OfNothingIsEmpty) { EXPECT_TRUE(meshOf(PuffPicture{}, 100).indices.empty()); }
+
+}  // namespace
+}  // namespace cloudgen::writer
