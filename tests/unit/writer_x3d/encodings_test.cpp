@@ -4,13 +4,15 @@
 #include <gtest/gtest.h>
 
 #include "base/file.hpp"
+#include "support/scratch.hpp"
 
 namespace cloudgen::writer {
 namespace {
 
 /// A small document with every kind of field, as one encoding writes it.
 std::string document(Encoding encoding) {
-  const auto file = std::filesystem::path(testing::TempDir()) / "node_writer_test.txt";
+  const test::Scratch folder;
+  const auto file = folder.path() / "node_writer_test.txt";
   const auto nodes = nodeWriter(encoding, file);
   nodes->start({{"title", "a \"b\" <c> & 'd'"}});
   nodes->open("LOD", "children", "Near");
@@ -30,9 +32,7 @@ std::string document(Encoding encoding) {
   nodes->close();
   nodes->use("LOD", "children", "Near");
   nodes->finish();
-  const std::string text = base::readFile(file);
-  std::filesystem::remove(file);
-  return text;
+  return base::readFile(file);
 }
 
 TEST(Encodings, Xml) {

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "base/file.hpp"
+#include "support/scratch.hpp"
 #include "support/small_scene.hpp"
 #include "writer/x3d/ground.hpp"
 #include "writer/x3d/viewpoints.hpp"
@@ -22,14 +23,13 @@ scene::Scene sceneWithMountain() {
 }
 
 std::string groundOf(const scene::Scene& scene, Encoding encoding) {
-  const auto file = std::filesystem::path(testing::TempDir()) / "terrain_test.txt";
+  const test::Scratch folder;
+  const auto file = folder.path() / "terrain_test.txt";
   const auto nodes = nodeWriter(encoding, file);
   nodes->start({{"title", "ground"}});
   writeGround(*nodes, scene, stageOf(scene));
   nodes->finish();
-  const std::string text = base::readFile(file);
-  std::filesystem::remove(file);
-  return text;
+  return base::readFile(file);
 }
 
 TEST(Terrain, IsAnElevationGridInEveryEncoding) {

@@ -12,6 +12,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/text.hpp"
+#include "support/scratch.hpp"
 #include "support/small_scene.hpp"
 
 namespace cloudgen::writer {
@@ -24,8 +25,6 @@ namespace fs = std::filesystem;
 class X3d : public testing::Test {
  protected:
   void SetUp() override {
-    root_ = fs::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name();
-    fs::remove_all(root_);
     for (const char* folder : {"data/textures", "data/templates", "data/schemas", "out"})
       fs::create_directories(root_ / folder);
     std::string atlases;
@@ -38,10 +37,7 @@ class X3d : public testing::Test {
     base::writeFile(root_ / "data/textures/manifest.json", "{\"atlases\":[" + atlases + "]}");
     setenv("CLOUDGEN_DATA", (root_ / "data").c_str(), 1);
   }
-  void TearDown() override {
-    unsetenv("CLOUDGEN_DATA");
-    fs::remove_all(root_);
-  }
+  void TearDown() override { unsetenv("CLOUDGEN_DATA"); }
 
   std::string written(void (*write)(const scene::Scene&, const Destination&), const scene::Scene& scene,
                       const char* file) {
@@ -59,7 +55,8 @@ class X3d : public testing::Test {
   }
   fs::path out() const { return root_ / "out"; }
 
-  fs::path root_;
+  test::Scratch scratch_;
+  const fs::path root_ = scratch_.path();
 };
 
 /// What is left of VRML without its quoted strings and comments.
