@@ -198,6 +198,7 @@ void writeCards(const scene::Scene& scene, const Destination& destination) {
     if (groups[g].empty()) continue;
     const GenusPictures& genus = genera.at(archetype.genus);
     const CloudMesh cards = meshOf(clouds[g], genus.atlas, genus.first.at(g));
+    if (cards.indices.empty()) continue;  // so faint that nothing of it is seen
     const std::string name = fmt::format("{} heading {}", archetype.name, lit.yawStep);
     const int mesh = addCloudMesh(file, name, cards, genus.material);
     (destination.cards.singly ? addSingly : addInstanced)(file, scene, name, mesh, groups[g]);

@@ -144,6 +144,16 @@ TEST_F(Cards, OfAPuffHoldFromAboveWhatItHolds) {
     }
 }
 
+// A primitive without a triangle is not valid glTF.
+TEST_F(Cards, WhatIsTooFaintToBeSeenIsNoMesh) {
+  scene::Scene scene = test::gltfScene();
+  const std::size_t all = written(scene).json["meshes"].size();
+  for (shape::Puff& puff : scene.archetypes[scene.lit[0].archetype].puffs) puff.extinctionPerMeter *= 1e-6f;
+  const test::Glb glb = written(scene);
+  EXPECT_LT(glb.json["meshes"].size(), all);
+  for (const auto& accessor : glb.json["accessors"]) EXPECT_GT(accessor["count"], 0);
+}
+
 TEST_F(Cards, TheGroundLiesUnderTheBox) {
   const scene::Scene scene = test::gltfScene();
   const test::Glb glb = written(scene);
