@@ -97,6 +97,8 @@ void CellHeights::describe(std::span<const PaintedLayer> own, std::span<const fi
   wanted.base = heightAt(changed_.data(), wanted.lowest.first, wanted.lowest.end, kShare, 0);
   wanted.top =
       heightAt(changed_.data(), wanted.highest.first, wanted.highest.end, 1 - kShare, 0);
+  // A layer so thin that the border next to it was rounded beyond it.
+  if (wanted.base < 0 || wanted.top < 0) wanted = {};
 }
 
 double CellHeights::changeBy(std::uint32_t cell, float baseMeters, float topMeters,

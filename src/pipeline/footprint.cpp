@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <glm/geometric.hpp>
-#include <glm/gtc/quaternion.hpp>
 #include <numbers>
 
 #include "shape/blending.hpp"
@@ -15,9 +13,7 @@ namespace cloudgen::pipeline {
 namespace {
 
 HeightMoments momentsOf(const shape::Puff& puff, double widthMeters) {
-  const glm::mat3 axes = glm::mat3_cast(puff.rotation);
-  const double mean = puff.center.y / widthMeters,
-               deviation = glm::length(puff.sigma * glm::vec3(axes[0].y, axes[1].y, axes[2].y)) / widthMeters;
+  const double mean = puff.center.y / widthMeters, deviation = shape::heightDeviation(puff) / widthMeters;
   return {static_cast<float>(mean), static_cast<float>(mean * mean + deviation * deviation)};
 }
 

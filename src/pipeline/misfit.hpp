@@ -14,8 +14,8 @@ namespace cloudgen::pipeline {
 inline constexpr double kFullCover = 0.985;
 
 /// How far a canvas is from what its layers want: squared errors of the cover of each layer of each cell and
-/// of all together, of optical depth, of base and top, of what strays in, and of the mean cover of each genus and of low,
-/// middle and high clouds.
+/// of all together, of optical depth, of base and top, of what strays in, and of the mean cover of each genus
+/// and of low, middle and high clouds.
 class Misfit {
  public:
   /// Of an empty canvas, which must outlive it; `layers` are those it was made of.

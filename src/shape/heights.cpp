@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/gtc/quaternion.hpp>
 #include <numbers>
 #include <vector>
 
@@ -42,10 +41,7 @@ std::vector<Upright> uprights(std::span<const Puff> puffs, bool withPrecipitatio
   double whole = 0;
   for (const Puff& puff : puffs) {
     if (!withPrecipitation && fallsOut(puff)) continue;
-    const glm::mat3 axes = glm::mat3_cast(puff.rotation);
-    double variance = 0;
-    for (int k = 0; k < 3; ++k) variance += std::pow(static_cast<double>(puff.sigma[k]) * axes[k].y, 2);
-    out.push_back({puff.center.y, std::sqrt(variance), extinctionArea(puff)});
+    out.push_back({puff.center.y, heightDeviation(puff), extinctionArea(puff)});
     whole += out.back().weight;
   }
   for (Upright& puff : out) puff.weight /= whole;

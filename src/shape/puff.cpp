@@ -22,6 +22,13 @@ double extinctionArea(const Puff& puff) {
   return puff.extinctionPerMeter * twoPi * std::sqrt(twoPi) * puff.sigma.x * puff.sigma.y * puff.sigma.z;
 }
 
+double heightDeviation(const Puff& puff) {
+  const glm::mat3 axes = glm::mat3_cast(puff.rotation);
+  double variance = 0;
+  for (int k = 0; k < 3; ++k) variance += std::pow(static_cast<double>(puff.sigma[k]) * axes[k].y, 2);
+  return std::sqrt(variance);
+}
+
 Bounds boundsOf(std::span<const Puff> puffs, float reach) {
   if (puffs.empty()) return {};
   Bounds bounds{glm::vec3(1e30f), glm::vec3(-1e30f)};

@@ -31,6 +31,9 @@ float frontalOpticalDepth(const Puff& puff);
 /// The integral of extinction over space, m2: extinction * (2 pi)^1.5 * product of the deviations.
 double extinctionArea(const Puff& puff);
 
+/// Standard deviation of the height of a puff's extinction, metres.
+double heightDeviation(const Puff& puff);
+
 struct Bounds {
   glm::vec3 lower{0}, upper{0};
 };

@@ -118,10 +118,17 @@ CloudPictures picturesOf(const scene::Scene& scene, std::uint32_t lit, int pixel
     all.upright.push_back(std::move(front));
     all.upright.push_back(std::move(back));
   }
-  all.turning = {cloud.seenAt(0, cloud.whole(), besideSun(scene.sun), {pixelsPerMeter})};
-  all.turning[0].picture.surface = 0;
-  all.turning[0].sight = kFromSouth;
   return all;
+}
+
+NearPictures nearPicturesOf(const scene::Scene& scene, std::uint32_t lit, int pixels) {
+  const LitCloud cloud(scene, lit, 1);
+  const Fineness fine{pixelsPerMeterOf(cloud, pixels)};
+  if (isFlat(cloud)) return {levelPictures(cloud, flatLayers(cloud), fine, fine), false};
+  NearPictures near{{cloud.seenAt(0, cloud.whole(), besideSun(scene.sun), fine)}, true};
+  near.pictures[0].picture.surface = 0;
+  near.pictures[0].sight = kFromSouth;
+  return near;
 }
 
 std::vector<CloudPicture> shellPictures(const scene::Scene& scene, std::uint32_t lit, int pixels,

@@ -18,7 +18,6 @@ void appendColored(const scene::Scene& scene, const scene::Instance& instance, c
 struct CloudPictures {
   std::vector<CloudPicture> level;    ///< those from above upwards, then those from below downwards
   std::vector<CloudPicture> upright;  ///< from its four sides, for far off
-  std::vector<CloudPicture> turning;  ///< one, to be turned to the viewer about its middle
 };
 
 /// Of the quad of a picture.
@@ -36,6 +35,13 @@ int pixelsOfEach(std::size_t clouds, double squares, const PictureSize& size);
 
 /// Of a lit archetype, so many pixels along its longest side.
 CloudPictures picturesOf(const scene::Scene& scene, std::uint32_t lit, int pixels);
+
+/// The same cloud for viewers that turn pictures: one about its middle, or the level ones of a flat cloud.
+struct NearPictures {
+  std::vector<CloudPicture> pictures;
+  bool turns = false;
+};
+NearPictures nearPicturesOf(const scene::Scene& scene, std::uint32_t lit, int pixels);
 
 /// The same cloud for viewers that turn nothing: pictures from above, below and four sides, each with the
 /// relief of what it shows, which is one surface from everywhere; a flat or sheer cloud has level ones alone.

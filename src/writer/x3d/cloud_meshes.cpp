@@ -20,15 +20,15 @@ CloudMeshes::CloudMeshes(const scene::Scene& scene) : scene_(scene), wholes_(sce
     lit.push_back(i);
   }
   base::parallelFor(lit.size(), [&](std::size_t i) {
-    const CloudPictures pictures = picturesOf(scene, lit[i], kPixels);
+    const NearPictures near = nearPicturesOf(scene, lit[i], kPixels);
     Whole& whole = wholes_[scene.lit[lit[i]].archetype];
     whole.lit = lit[i];
-    whole.turns = !pictures.turning.empty();
-    if (whole.turns) whole.middle = middleOf(pictures.turning.front());
+    whole.turns = near.turns;
+    if (whole.turns) whole.middle = middleOf(near.pictures.front());
     for (std::size_t f = 0; f < kTriangles.size(); ++f) {
       // Flat ones lie in one plane with others: what is hidden would be chance.
       whole.meshes[f].mayHide = whole.turns;
-      for (const CloudPicture& one : whole.turns ? pictures.turning : pictures.level)
+      for (const CloudPicture& one : near.pictures)
         appendMesh(one, kTriangles[f], whole.middle, whole.meshes[f]);
     }
   });

@@ -76,11 +76,6 @@ Extent flatExtentOf(const std::vector<LitPuff>& members) {
   return extentOf(puffs, kBorderShare);
 }
 
-float heightDeviation(const shape::Puff& puff) {
-  const glm::mat3 axes = glm::mat3_cast(puff.rotation);
-  return glm::length(puff.sigma * glm::vec3(axes[0].y, axes[1].y, axes[2].y));
-}
-
 /// Of puffs that lie in one plane a sixth stands below it and a sixth above: as high a cloud, with the mean
 /// and variance of height of theirs (Gauss-Hermite quadrature of three nodes).
 void standOnBothSides(std::vector<LitPuff>& members) {
@@ -94,7 +89,7 @@ void standOnBothSides(std::vector<LitPuff>& members) {
   });
   for (std::size_t i = 0; i < members.size(); ++i) {
     const float upwards = i % kEach == kBelow ? -kAway : i % kEach == kAbove ? kAway : 0;
-    members[i].puff.center.y += upwards * heightDeviation(members[i].puff);
+    members[i].puff.center.y += upwards * static_cast<float>(shape::heightDeviation(members[i].puff));
   }
 }
 
@@ -105,7 +100,7 @@ void drawTwice(std::vector<LitPuff>& members) {
   const std::size_t count = members.size();
   for (std::size_t i = 0; i < count; ++i) {
     LitPuff more = members[i], less = members[i];
-    const float upwards = (i % 2 ? -1.0f : 1.0f) * heightDeviation(members[i].puff);
+    const float upwards = (i % 2 ? -1.0f : 1.0f) * static_cast<float>(shape::heightDeviation(members[i].puff));
     more.puff.extinctionPerMeter *= kShare, less.puff.extinctionPerMeter *= 1 - kShare;
     more.puff.center.y -= std::sqrt((1 - kShare) / kShare) * upwards;
     less.puff.center.y += std::sqrt(kShare / (1 - kShare)) * upwards;

@@ -19,7 +19,7 @@ namespace cloudgen::writer {
 namespace {
 
 constexpr double kLiveClouds = 250;       ///< clouds that are drawn one by one around the viewer, about
-constexpr double kNearClouds = 4;         ///< clouds that are drawn in parts around the viewer, about
+constexpr double kNearClouds = 4;         ///< clouds that are drawn in full around the viewer, about
 constexpr std::size_t kFarPuffs = 24000;  ///< puffs in the far shapes of all tiles together, about
 /// The pictures of clouds in the scene's file and in that of a tile.
 constexpr PictureSize kPicturesAtHand{1.2e6, 128}, kTilePictures{1e5, 64};

@@ -73,10 +73,9 @@ void FilePictures::writeSquare(QuadShapes& shapes, const TileNode& tile) const {
     const scene::Instance& instance = scene_.instances[i];
     const Cloud& cloud = clouds_.at(instance.lit);
     const glm::vec3 tint = tintOf(scene_, instance.lit, instance.sunlight);
-    appendQuads(cloud.pictures.level, *atlas_, cloud.first, instance.position, instance.scale, tint, mesh,
-                Outline::Whole);
+    appendQuads(cloud.pictures.level, *atlas_, cloud.first, instance.position, instance.scale, tint, mesh);
     appendQuads(cloud.pictures.upright, *atlas_, cloud.first + cloud.pictures.level.size(), instance.position,
-                instance.scale, tint, mesh, Outline::Whole);
+                instance.scale, tint, mesh);
   }
   orderFaces(mesh, LevelFaces::First);
   write(shapes, mesh);

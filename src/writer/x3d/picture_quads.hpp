@@ -7,12 +7,9 @@
 
 namespace cloudgen::writer {
 
-enum class Outline : unsigned char { Whole, Tight };
-
 /// Adds the quads of pictures, `first` being the place of their first one in the atlas; moved and scaled,
-/// their colours multiplied by `tint`; one a picture, or tight ones around what is seen. Their faces are not
-/// in order yet: orderFaces, level ones first.
+/// their colours multiplied by `tint`. Their faces are not in order yet: orderFaces, level ones first.
 void appendQuads(std::span<const CloudPicture> pictures, const PictureAtlas& atlas, std::size_t first,
-                 const glm::vec3& place, float scale, const glm::vec3& tint, QuadMesh& mesh, Outline outline);
+                 const glm::vec3& place, float scale, const glm::vec3& tint, QuadMesh& mesh);
 
 }  // namespace cloudgen::writer

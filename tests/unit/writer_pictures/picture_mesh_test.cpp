@@ -65,7 +65,8 @@ TEST(PictureMesh, CoversAndIsAsBrightAsItsPicture) {
   const scene::Scene scene = test::smallScene();
   for (std::uint32_t lit = 0; lit < scene.lit.size(); ++lit) {
     const CloudPictures cloud = picturesOf(scene, lit, 64);
-    for (const auto* some : {&cloud.level, &cloud.upright, &cloud.turning})
+    const NearPictures near = nearPicturesOf(scene, lit, 64);
+    for (const auto* some : {&cloud.level, &cloud.upright, &near.pictures})
       for (const CloudPicture& one : *some)
         for (const std::size_t most : {60u, 120u, 400u}) {
           const Shown wanted = shownBy(one.picture), mesh = shownBy(meshOf(one.picture, most));

@@ -85,8 +85,9 @@ TEST(Pictures, AreAsBrightAsThePuffsTheyStandFor) {
   for (light::PuffLight& puff : scene.lit[0].puffs) puff = light;
   const light::EncodedLight shown = light::encoded(light, scene.sun.color);
   const CloudPictures cloud = picturesOf(scene, 0, 64);
-  ASSERT_EQ(cloud.turning.size(), 1u);
-  EXPECT_LT(glm::distance(meanColor(cloud.turning[0].picture.image), glm::dvec3(shown.mean)), 0.01);
+  const NearPictures near = nearPicturesOf(scene, 0, 64);
+  ASSERT_EQ(near.pictures.size(), 1u);
+  EXPECT_LT(glm::distance(meanColor(near.pictures[0].picture.image), glm::dvec3(shown.mean)), 0.01);
   // What looks towards the sun sees more of the light that goes on forwards; both sides together the mean.
   for (std::size_t i = 0; i < cloud.upright.size(); i += 2) {
     const glm::dvec3 front = meanColor(cloud.upright[i].picture.image),
@@ -106,12 +107,15 @@ TEST(Pictures, OfFlatCloudsLieLevelAlone) {
     const glm::vec3 size = box.upper - box.lower;
     const CloudPictures cloud = picturesOf(scene, lit, 64);
     EXPECT_EQ(cloud.level.size() % 2, 0u);
-    const std::size_t others = cloud.upright.size() + cloud.turning.size();
+    const NearPictures near = nearPicturesOf(scene, lit, 64);
     if (size.y < 0.2f * std::min(size.x, size.z)) {
-      EXPECT_EQ(others, 0u);
+      EXPECT_EQ(cloud.upright.size(), 0u);
+      EXPECT_FALSE(near.turns);
+      EXPECT_EQ(near.pictures.size(), cloud.level.size());
     }
     if (size.y > 0.6f * std::max(size.x, size.z)) {
-      EXPECT_EQ(others, 5u);
+      EXPECT_EQ(cloud.upright.size(), 4u);
+      EXPECT_TRUE(near.turns);
     }
   }
 }
