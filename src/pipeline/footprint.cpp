@@ -54,8 +54,8 @@ Footprint::Footprint(std::span<const shape::Puff> puffs, double widthMeters, boo
         shape::extinctionArea(puff) / total / (2 * std::numbers::pi * std::sqrt(plan.determinant()));
     const HeightMoments own = momentsOf(puff, widthMeters);
     const auto addTo = [&](auto profile) {
-      raster.visit(plan, [&](float& value, double q) {
-        const auto here = static_cast<float>(profile(std::exp(-0.5 * q)));
+      raster.visit(plan, [&](float& value, double gaussian) {
+        const auto here = static_cast<float>(profile(gaussian));
         HeightMoments& moments = heights_[static_cast<std::size_t>(&value - raster.values().data())];
         value += here, moments.mean += here * own.mean, moments.square += here * own.square;
       });

@@ -60,8 +60,8 @@ std::size_t coveredOf(const std::vector<bool>& doubtful, std::span<const Blended
   constexpr float kNoDoubt = -1;
   raster.fill([&](std::size_t pixel) { return doubtful[pixel] ? 0 : kNoDoubt; });
   for (const Blended& blob : blobs)
-    raster.visit(blob.plan, [&](float& depth, double q) {
-      if (depth != kNoDoubt) depth += -std::log1p(-blob.opacity * static_cast<float>(std::exp(-0.5 * q)));
+    raster.visit(blob.plan, [&](float& depth, double gaussian) {
+      if (depth != kNoDoubt) depth += -std::log1p(-blob.opacity * static_cast<float>(gaussian));
     });
   return static_cast<std::size_t>(std::ranges::count_if(
       raster.values(), [](float depth) { return depth > kCoveringOpticalDepth; }));
@@ -87,9 +87,9 @@ double blendedUpTo(double enough, std::span<const Puff> puffs, float covering) {
   std::size_t known = 0;
   for (const Blended& blob : blobs) {
     if (squareMeters(raster, known) > enough) return squareMeters(raster, known);
-    raster.visit(blob.plan, [&](float& stopped, double q) {
+    raster.visit(blob.plan, [&](float& stopped, double gaussian) {
       if (stopped == 1) return;
-      const float through = (1 - stopped) * (1 - blob.opacity * std::exp(-0.5f * static_cast<float>(q)));
+      const float through = (1 - stopped) * (1 - blob.opacity * static_cast<float>(gaussian));
       stopped = through < covered ? 1 : 1 - through;
       known += stopped == 1;
     });

@@ -2,6 +2,7 @@
 #include "shape/plan.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/gtc/quaternion.hpp>
 
 namespace cloudgen::shape {
@@ -30,6 +31,21 @@ PlanRaster::Box PlanRaster::boxOf(const PlanGaussian& plan) const {
   };
   return {pixelOf(plan.x - acrossX - lower_.x, pixel_.x), pixelOf(plan.x + acrossX - lower_.x, pixel_.x),
           pixelOf(plan.z - acrossZ - lower_.y, pixel_.y), pixelOf(plan.z + acrossZ - lower_.y, pixel_.y)};
+}
+
+PlanRaster::Row PlanRaster::rowOf(const PlanGaussian& plan, int row, const Box& box, double ratioOfRatios) const {
+  const double determinant = plan.determinant(), dz = lower_.y + (row + 0.5) * pixel_.y - plan.z;
+  const double brightestX = plan.x + plan.xz / plan.zz * dz;
+  const int brightest =
+      std::clamp(static_cast<int>((brightestX - lower_.x) / pixel_.x), box.left, box.right);
+  const double dx = lower_.x + (brightest + 0.5) * pixel_.x - plan.x;
+  const double here = (plan.zz * dx * dx - 2 * plan.xz * dx * dz + plan.xx * dz * dz) / determinant;
+  // Of the square of the distance: its change over a pixel is slope + bend to the right, -slope + bend to the left.
+  const double slope = 2 * (plan.zz * dx - plan.xz * dz) * pixel_.x / determinant, bend = bendOf(plan);
+  const double value = std::exp(-0.5 * here);
+  return {brightest,
+          {value, std::exp(-0.5 * (bend + slope)), ratioOfRatios},
+          {value, std::exp(-0.5 * (bend - slope)), ratioOfRatios}};
 }
 
 }  // namespace cloudgen::shape
