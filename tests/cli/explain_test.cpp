@@ -116,7 +116,7 @@ TEST_F(Explain, WhatTheSourceStatesIsSaidToBeStated) {
 TEST_F(Explain, EveryDerivedTypeFollowsFromItsValues) {
   const auto forecast = sharedFile("gfs_2p5_20110110_f120.grib2");
   if (!forecast) GTEST_SKIP() << "../shared/data is not there";
-  build({*forecast, "--bbox", "-100,25,-60,50"});
+  build({*forecast, "--bbox", "-90,25,-70,45"});
   std::map<std::string, std::string> idOfRule;
   std::set<std::string> ids;
   for (const auto& row : rowsOf(scene + "/clouds.csv")) {
@@ -149,7 +149,7 @@ TEST_F(Explain, ATypingIsNamedAsTheReason) {
 TEST_F(Explain, AChangedLayerIsNoticed) {
   const auto forecast = sharedFile("gfs_2p5_20110110_f120.grib2");
   if (!forecast) GTEST_SKIP() << "../shared/data is not there";
-  build({*forecast, "--bbox", "-100,25,-60,50"});
+  build({*forecast, "--bbox", "-90,25,-70,45"});
   const std::string file = scene + "/layers.csv";
   std::string bytes = cloudgen::base::readFile(file);
   const std::string genuine = explained(firstId()).at("rule").at("id");

@@ -70,7 +70,7 @@ TEST_P(OfEitherFormat, LayersHaveTheGeneraOfTheTyping) {
 }
 
 TEST_P(Pair, CloudsHaveTheGeneraOfTheTyping) {
-  options.box = base::GeoBox{-90, 32, -78, 41};
+  options.box = base::GeoBox{-86, 34, -81, 38};
   const pipeline::Outcome outcome = pipeline::run(*model, options, {});
   std::map<std::uint32_t, std::set<base::Genus>> typed;
   std::vector<std::uint32_t> cells = field::cellsTouching(typing->grid(), *options.box);

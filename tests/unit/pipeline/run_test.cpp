@@ -84,10 +84,10 @@ class RealModel : public testing::Test {
 TEST_F(RealModel, GlobalForecastOverEurope) {
   if (!std::filesystem::exists(data("gfs_2p5_20110110_f120.grib2"))) GTEST_SKIP() << "../shared is not there";
   const auto source = input::open({data("gfs_2p5_20110110_f120.grib2")});
-  Options options = test::usualOptions(40'000);
-  options.box = base::GeoBox{-10, 40, 10, 55};
+  Options options = test::usualOptions(20'000);
+  options.box = base::GeoBox{-10, 45, 5, 55};
   const Outcome outcome = run(*source, options, {});
-  expectWholeScene(outcome, 40'000);
+  expectWholeScene(outcome, 20'000);
   std::map<base::Genus, int> genera;
   for (const scene::CloudRecord& cloud : outcome.scene.clouds) ++genera[cloud.genus];
   EXPECT_GE(genera.size(), 4u);
