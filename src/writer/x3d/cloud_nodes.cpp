@@ -47,7 +47,7 @@ CloudLook lookOf(const scene::Instance& instance) {
 
 /// Of a cloud's own size: how far away it is drawn in full, at least and at most, and from where on as a
 /// picture that is less fine, and coarse.
-constexpr float kLeastSizes = 0.15f, kMostSizes = 0.25f, kMiddleSizes = 1.5f, kCoarseSizes = 4;
+constexpr float kLeastSizes = 0.15f, kMostSizes = 0.25f, kMiddleSizes = 3, kCoarseSizes = 8;
 constexpr std::array kFineToCoarse{MeshFineness::Fine, MeshFineness::Middle, MeshFineness::Coarse};
 
 float nearRange(float size, float reachMeters) {
