@@ -70,7 +70,7 @@ make_sky() {
   part "validate $name" "$cloudgen" validate "$scenes/$name"/scene.*
   part "preview $name" "$cloudgen" preview "$scenes/$name" -o "$scenes/$name/preview.png"
 }
-make_sky theatre "$forecast" --bbox "$theatre_box"
+make_sky theatre "$forecast" --bbox "$theatre_box" --fly '36.3,-122.5,1500;36.7,-122,2500;37.1,-121.3,900'
 make_sky regional "$forecast" --bbox "$regional_box"
 # Browsers render in software here: two heaps of clouds in less detail, without the page that the first two have.
 for name in cumulus cumulonimbus; do

@@ -26,7 +26,8 @@ namespace {
 /// The command line as written.
 struct BuildLine {
   InputLine input;
-  std::string output, box, formats, sun = "auto", frame = "local", types, typing, shard, maxMemory, tiles = "auto";
+  std::string output, box, formats, sun = "auto", frame = "local", types, typing, shard, maxMemory,
+                                    tiles = "auto", fly;
   ShapeLine shape;
   double typingWindowMinutes = 180;
   std::uint64_t seed = 1, maxPuffs = 200'000;
@@ -75,6 +76,23 @@ std::optional<std::pair<double, double>> sunFromText(const std::string& text) {
   return std::pair{azimuth, elevation};
 }
 
+/// The places of --fly as degrees east, degrees north and metres.
+std::vector<glm::dvec3> flightFromText(const std::string& text) {
+  std::vector<glm::dvec3> flight;
+  for (const std::string& place : base::split(text, ';')) {
+    const auto parts = base::split(place, ',');
+    glm::dvec3 at(0);
+    if (parts.size() != 3 || !base::parseNumber(parts[0], at.y) || !base::parseNumber(parts[1], at.x) ||
+        !base::parseNumber(parts[2], at.z) || std::abs(at.y) > 90 || std::abs(at.x) > 360 || at.z < -500 ||
+        at.z > 50'000)
+      throw base::UsageError("--fly " + text, "is not LATITUDE,LONGITUDE,METRES;... in degrees",
+                             "as in --fly '46.1,7.2,3000;46.5,7.9,4000'");
+    flight.push_back(at);
+  }
+  if (flight.size() < 2) throw base::UsageError("--fly " + text, "is one place", "a flight has two or more");
+  return flight;
+}
+
 /// Seconds since the last call, by stage.
 class Stopwatch {
  public:
@@ -119,6 +137,7 @@ int build(const BuildLine& line, const Terminal& terminal) {
   options.seed = line.seed;
   options.maxPuffs = line.maxPuffs;
   options.sunDegrees = sunFromText(line.sun);
+  const auto flight = line.fly.empty() ? std::vector<glm::dvec3>() : flightFromText(line.fly);
   const base::ThreadLimit limit(line.threads);
   const base::Progress progress = terminal.progress();
   Stopwatch watch;
@@ -133,7 +152,8 @@ int build(const BuildLine& line, const Terminal& terminal) {
   options.typing = typing.get();
   const bool moves = line.input.allTimes() && source->info().validTimes.size() > 1;
   if (moves && typing)
-    throw base::UsageError("--time all", "cannot be joined with a typing yet", "leave --typing out, or choose one --time");
+    throw base::UsageError("--time all", "cannot be joined with a typing yet",
+                           "leave --typing out, or choose one --time");
   base::StagedFolder folder(line.output, line.overwrite);
   watch.lap("open");
   std::optional<pipeline::MovingSky> moving;
@@ -145,12 +165,14 @@ int build(const BuildLine& line, const Terminal& terminal) {
     };
     moving = pipeline::runTimes(source->info().validTimes, open, options, progress);
   }
-  const pipeline::Outcome outcome = moving ? std::move(moving->first) : pipeline::run(*source, options, progress);
+  const pipeline::Outcome outcome =
+      moving ? std::move(moving->first) : pipeline::run(*source, options, progress);
   watch.lap("pipeline");
   writer::Destination destination{folder.path(), progress};
   destination.tiles = {tileContents().at(line.tiles), line.tilesGzip};
   destination.splats.degree = line.splatDegree;
   destination.cards.singly = line.glbNodes;
+  destination.flight = flight;
   const auto write = [&](bool showingVerification) {
     for (const writer::Format* format : formats) {
       if (format->showsVerification != showingVerification) continue;
@@ -183,7 +205,12 @@ int build(const BuildLine& line, const Terminal& terminal) {
   folder.commit();
 
   for (const std::string& warning : outcome.warnings) terminal.warn(warning);
-  const bool motionWritten = std::any_of(formats.begin(), formats.end(), [](const auto* format) { return format->moves; });
+  if (!flight.empty() && std::ranges::none_of(flight, [&](const glm::dvec3& place) {
+        return outcome.scene.frame.box().contains(place.x, place.y);
+      }))
+    terminal.warn("no place of --fly lies over the scene: LATITUDE stands first");
+  const bool motionWritten =
+      std::any_of(formats.begin(), formats.end(), [](const auto* format) { return format->moves; });
   if (moving && !motionWritten)
     terminal.warn("no file holds the motion: the pack does, and it is not among --formats");
   const bool shapeSeen =
@@ -244,9 +271,10 @@ std::function<int()> setupBuild(CLI::App& options, const Terminal& terminal) {
                      "the grid or variable of a volume (default: density, or cloud water)");
   options.add_flag("--shape-z-up", line->shape.zUp, "z of a mesh or a .vdb is up, not y");
   options
-      .add_option("--tiles", line->tiles,
-                  "what 3D Tiles hold: spz (splats packed small, what CesiumJS draws up to a width), cards (for any "
-                  "viewer), splats (plain, what three.js draws), or auto (spz where that is enough, else cards)")
+      .add_option(
+          "--tiles", line->tiles,
+          "what 3D Tiles hold: spz (splats packed small, what CesiumJS draws up to a width), cards (for any "
+          "viewer), splats (plain, what three.js draws), or auto (spz where that is enough, else cards)")
       ->check(CLI::IsMember({"auto", "spz", "cards", "splats"}))
       ->capture_default_str();
   options.add_flag("--tiles-gzip", line->tilesGzip,
@@ -258,6 +286,9 @@ std::function<int()> setupBuild(CLI::App& options, const Terminal& terminal) {
                   "harmonics of splats: 0 (one colour from all sides), 1, or 2 (sharper towards the sun)")
       ->check(CLI::Range(0, 2))
       ->capture_default_str();
+  options.add_option(
+      "--fly", line->fly,
+      "LATITUDE,LONGITUDE,METRES;...: X3D and VRML get a viewpoint that flies along these places");
   options.add_option("--shard", line->shard, "I/N: only a share of the tiles (not built yet)");
   options.add_option("--max-memory", line->maxMemory, "limit of memory (not built yet)");
   const auto config = std::make_shared<std::string>();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <glm/vec3.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,6 +43,7 @@ struct Destination {
   TilesOptions tiles = {};
   SplatOptions splats = {};
   CardOptions cards = {};
+  std::vector<glm::dvec3> flight = {};  ///< places of a viewpoint that flies: degrees east, north, metres
 };
 
 /// One output format. `write` throws OutputError; it writes only the named files (and textures/).

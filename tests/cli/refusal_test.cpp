@@ -115,6 +115,12 @@ TEST_F(Refusal, TimeThatTheDataDoNotHave) {
   refuses(buildWith({"--time", "2020-01-01T00:00Z"}), kInput, "2026-06-21T20:00");
 }
 
+TEST_F(Refusal, FlightsThatAreNone) {
+  for (const char* flight :
+       {"46,7", "46,7,3000", "46,7,3000;91,7,3000", "46,7,high;46,8,3000", "46,7,3000;46,8,3000;"})
+    refuses(buildWith({"--fly", flight}), kUsage, "--fly");
+}
+
 TEST_F(Refusal, WordsThatItDoesNotKnow) {
   refuses({"biuld", sky, "-o", out}, kUsage, "did you mean build?");
   refuses({"zzzzzz"}, kUsage, "zzzzzz");

@@ -14,6 +14,7 @@ import {CLOUD_NODES, withoutClouds} from './lib/empty_sky.mjs';
 import {Runner} from './lib/runner.mjs';
 import {serve} from './lib/server.mjs';
 import {drawsByComparison, drawsByRemoval} from './checks/drawing.mjs';
+import {fliesOnceChosen} from './checks/flight.mjs';
 import {pageWorks} from './checks/page.mjs';
 import {folderIsStreamed} from './checks/page_folder.mjs';
 import {movingPageWorks} from './checks/page_time.mjs';
@@ -80,6 +81,8 @@ async function checkScene(runner, folder, onlyPage, turn) {
   };
   draws('X_ITE', 'xite', 'scene.x3d', 3000);
   draws('X_ITE', 'xite', 'scene.wrl', 3000);
+  if (browser && has('scene.x3d') && texts['/empty.x3d'].includes('View_Flight'))
+    runner.add(`${scene}: X_ITE flies along --fly in scene.x3d`, 200, () => fliesOnceChosen(at('xite', '/scene/scene.x3d')));
   if (has('scene.x3d')) {
     if (isItsTurn() && browser)
       runner.add(`${scene}: X3DOM draws scene.x3d`, 400, () =>

@@ -7,6 +7,7 @@
 
 #include "base/text.hpp"
 #include "light/color.hpp"
+#include "writer/x3d/flight.hpp"
 #include "writer/x3d/ground.hpp"
 #include "writer/x3d/viewpoints.hpp"
 
@@ -168,11 +169,12 @@ HeadEntries headOf(const scene::Scene& scene, const Stage& stage) {
 }
 
 void writeEnvironment(NodeWriter& nodes, const scene::Scene& scene, const Stage& stage,
-                      const HeadEntries& head) {
+                      const HeadEntries& head, const std::vector<glm::vec3>& flight) {
   writeInfo(nodes, head);
   writeNavigation(nodes, stage);
   writeBackground(nodes, scene.sky);
   writeViews(nodes, scene, stage);
+  writeFlight(nodes, flight);
   writeSun(nodes, scene.sun);
   writeGround(nodes, scene, stage);
   writeGraticule(nodes, scene, stage);

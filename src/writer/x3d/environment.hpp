@@ -11,8 +11,9 @@ namespace cloudgen::writer {
 HeadEntries headOf(const scene::Scene& scene, const Stage& stage);
 
 /// All but the clouds: WorldInfo, NavigationInfo, Background, Viewpoints, sun, ground, lines of longitude and
-/// latitude.
+/// latitude. `flight` are places that another Viewpoint flies along, in the scene frame; none with fewer than
+/// two.
 void writeEnvironment(NodeWriter& nodes, const scene::Scene& scene, const Stage& stage,
-                      const HeadEntries& head);
+                      const HeadEntries& head, const std::vector<glm::vec3>& flight);
 
 }  // namespace cloudgen::writer

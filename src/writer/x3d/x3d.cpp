@@ -17,7 +17,9 @@ void writeScene(const scene::Scene& scene, const Destination& destination, Encod
   const HeadEntries head = headOf(scene, stage);
 
   nodes->start(head);
-  writeEnvironment(*nodes, scene, stage, head);
+  std::vector<glm::vec3> flight;
+  for (const glm::dvec3& place : destination.flight) flight.emplace_back(scene.frame.toScene(place.x, place.y, place.z));
+  writeEnvironment(*nodes, scene, stage, head, flight);
   writeClouds(*nodes, shapes, scene, stage, destination.folder, destination.progress);
   nodes->finish();
 }

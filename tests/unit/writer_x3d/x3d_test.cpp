@@ -252,6 +252,28 @@ TEST_F(X3d, TilesAreFilesThatAreLoadedOnceTheViewerIsNear) {
   }
 }
 
+TEST_F(X3d, AViewpointFliesAlongThePlaces) {
+  Destination destination{out(), {}};
+  destination.flight = {{7.05, 46.05, 3000}, {7.2, 46.05, 3000}, {7.2, 46.15, 2000}};
+  writeX3d(test::smallScene(), destination);
+  const std::string text = base::readFile(out() / "scene.x3d");
+  const auto keys = numbersIn(attributes(text, "PositionInterpolator", "key").at(0));
+  ASSERT_EQ(keys.size(), 3u);
+  EXPECT_EQ(keys.front(), 0);
+  EXPECT_EQ(keys.back(), 1);
+  EXPECT_TRUE(std::is_sorted(keys.begin(), keys.end()));
+  const auto places = numbersIn(attributes(text, "PositionInterpolator", "keyValue").at(0));
+  ASSERT_EQ(places.size(), 9u);
+  EXPECT_NEAR(places[1], 3000, 50);
+  EXPECT_NEAR(places[7], 2000, 50);
+  const auto turnKeys = numbersIn(attributes(text, "OrientationInterpolator", "key").at(0));
+  EXPECT_TRUE(std::is_sorted(turnKeys.begin(), turnKeys.end()));
+  EXPECT_EQ(numbersIn(attributes(text, "OrientationInterpolator", "keyValue").at(0)).size(),
+            4 * turnKeys.size());
+  EXPECT_EQ(matches(text, R"re((toNode="View_Flight"))re").size(), 2u);
+  EXPECT_EQ(written(writeX3d, test::smallScene(), "scene.x3d").find("Flight"), std::string::npos);
+}
+
 TEST_F(X3d, NumbersArePlain) {
   for (const auto& [write, file, header] : kOutputs) {
     const std::string text = written(write, test::smallScene(), file);
