@@ -14,6 +14,7 @@ import {CLOUD_NODES, withoutClouds} from './lib/empty_sky.mjs';
 import {Runner} from './lib/runner.mjs';
 import {serve} from './lib/server.mjs';
 import {drawsByComparison, drawsByRemoval} from './checks/drawing.mjs';
+import {skyMoves} from './checks/film.mjs';
 import {pageWorks} from './checks/page.mjs';
 import {folderIsStreamed} from './checks/page_folder.mjs';
 import {movingPageWorks} from './checks/page_time.mjs';
@@ -52,9 +53,10 @@ async function checkScene(runner, folder, onlyPage, turn) {
   if (has('index.html') && browser)
     for (const size of turn === null ? SIZES : [SIZES[turn % SIZES.length]])
       runner.addAlone(`${scene}: index.html works at ${size.width}x${size.height}`, 300, () => pageWorks(folder, size, picture(`page_${size.width}`)));
+  const moves = JSON.parse(await readFile(join(folder, 'report.json'), 'utf8')).valid_times.length > 1;
   if (has('index.html') && browser) {
     if (!turn) runner.addAlone(`${scene}: index.html reads a pack from beside it`, 120, () => folderIsStreamed(folder));
-    if (JSON.parse(await readFile(join(folder, 'report.json'), 'utf8')).valid_times.length > 1)
+    if (moves)
       runner.addAlone(`${scene}: index.html plays the sky`, 300, () => movingPageWorks(folder, `${folder}.still`, picture('page_time')));
   }
   if (onlyPage) return;
@@ -94,6 +96,14 @@ async function checkScene(runner, folder, onlyPage, turn) {
   draws('Babylon.js', 'babylon', 'scene.splats.glb', 3000);
   draws('three.js', 'three', 'scene.glb');
   draws('Babylon.js', 'babylon', 'scene.glb');
+  const plays = (viewer, page, file) => {
+    if (moves && has(file) && browser)
+      runner.add(`${scene}: ${viewer} plays ${file}`, 300, () => skyMoves(at(page, `/scene/${file}`), folder, picture(`${page}_${file}_film`)));
+  };
+  plays('X_ITE', 'xite', 'scene.x3d');
+  plays('X3DOM', 'x3dom', 'scene.x3d');
+  plays('three.js', 'three', 'scene.glb');
+  plays('Babylon.js', 'babylon', 'scene.glb');
   if (has('tileset.json') && browser) await checkTiles(runner, scene, folder, picture);
   for (const file of ['scene.glb', 'scene.splats.glb'])
     if (has(file)) runner.addAlone(`${scene}: gltf-validator has nothing against ${file}`, 120, () => glbIsClean(join(folder, file)));
