@@ -9,9 +9,9 @@
 namespace cloudgen::writer {
 namespace {
 
-/// Of a cloud's size, what is shown of it at a presence: all from a half on, and below it as much of its area as goes
-/// evenly.
-float shown(float presence) { return std::sqrt(std::min(1.0f, 2 * presence)); }
+/// Of a cloud's size, what is shown of it at a presence: all from a half on, nothing to a quarter, and between them as
+/// much of its area as goes evenly.
+float shown(float presence) { return std::sqrt(std::clamp(4 * presence - 1, 0.0f, 1.0f)); }
 
 }  // namespace
 

@@ -22,8 +22,9 @@ struct Track {
 
 /// A sky that moves as scene formats play it: they move and scale nodes, and share what is drawn of clouds, whose
 /// opacity is that of their corners, so that no cloud can fade. It goes by size: who forms or dissolves grows or
-/// shrinks as in the scene; of a pair, who comes grows within who goes, at one place, until both are whole halfway,
-/// and then the other shrinks. At the times of the forecast the sky is the scene's.
+/// shrinks as in the scene; of a pair, who comes grows within who goes, at one place, in the second quarter of their way
+/// and the other shrinks in the third: what they cover stays, and only then is it up to twice as dense. At the times of
+/// the forecast the sky is the scene's.
 class Film {
  public:
   explicit Film(const scene::Scene& scene) : scene_(scene) {}
