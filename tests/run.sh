@@ -87,6 +87,9 @@ if [ -r "$moving" ]; then
   part "build of a sky that moves" "$cloudgen" build "$moving" --bbox=-32,52,-26,56 --time all --formats pack,page -o "$scenes/moving"
   part "build of one of its times" "$cloudgen" build "$moving" --bbox=-32,52,-26,56 --time 2019-01-01T12:00:00Z --formats pack,page -o "$scenes/moving.still"
   [ ! -e "$scenes/moving/index.html" ] || made+=("$scenes/moving")
+  part "build of a film" "$cloudgen" build "$moving" --bbox=-32,52,-26,56 --time all --sun 200,40 --max-puffs 2000 --formats x3d,vrml,glb -o "$scenes/film"
+  part "validate the film" "$cloudgen" validate "$scenes"/film/scene*.x3d "$scenes/film/scene.wrl" "$scenes/film/scene.glb"
+  [ ! -e "$scenes/film/scene.x3d" ] || made+=("$scenes/film")
 fi
 
 say "In browsers and viewers"

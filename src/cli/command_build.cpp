@@ -128,6 +128,24 @@ void takeConfig(CLI::App& options, const std::string& file) {
   }
 }
 
+/// Formats of nodes hold motions of so many clouds only.
+void warnOfWhatStandsStill(const scene::Scene& scene, const std::vector<const writer::Format*>& formats,
+                           const Terminal& terminal) {
+  std::string still;
+  std::size_t most = 0;
+  for (const writer::Format* format : formats) {
+    if (format->mostMovingClouds == 0 || format->moves(scene)) continue;
+    still += (still.empty() ? "" : ", ") + std::string(format->name);
+    most = format->mostMovingClouds;
+  }
+  if (!still.empty())
+    terminal.warn(fmt::format("{} hold the first time only: {} clouds move, and they play at most {}; lower --max-puffs, or take "
+                              "a smaller --bbox",
+                              still, scene.instances.size(), most));
+  if (std::none_of(formats.begin(), formats.end(), [&](const auto* format) { return format->moves(scene); }))
+    terminal.warn("no file holds the motion: the pack does, whatever moves; it is not among --formats");
+}
+
 int build(const BuildLine& line, const Terminal& terminal) {
   refuseWhatIsNotBuilt(line);
   const auto formats = writer::chosenFormats(line.formats);
@@ -177,7 +195,7 @@ int build(const BuildLine& line, const Terminal& terminal) {
     for (const writer::Format* format : formats) {
       if (format->showsVerification != showingVerification) continue;
       progress.step(fmt::format("writing {}", format->name), 0);
-      format->write(moving && format->moves ? moving->scene : outcome.scene, destination);
+      format->write(moving && format->moves(moving->scene) ? moving->scene : outcome.scene, destination);
       watch.lap(fmt::format("write_{}", format->name));
     }
   };
@@ -209,10 +227,7 @@ int build(const BuildLine& line, const Terminal& terminal) {
         return outcome.scene.frame.box().contains(place.x, place.y);
       }))
     terminal.warn("no place of --fly lies over the scene: LATITUDE stands first");
-  const bool motionWritten =
-      std::any_of(formats.begin(), formats.end(), [](const auto* format) { return format->moves; });
-  if (moving && !motionWritten)
-    terminal.warn("no file holds the motion: the pack does, and it is not among --formats");
+  if (moving) warnOfWhatStandsStill(moving->scene, formats, terminal);
   const bool shapeSeen =
       std::any_of(shapes.begin(), shapes.end(), [](const auto& shape) { return shape.at("clouds") > 0; });
   if (!line.shape.file.empty() && !shapeSeen)

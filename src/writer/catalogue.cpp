@@ -2,6 +2,7 @@
 #include "writer/catalogue.hpp"
 
 #include <array>
+#include <cstdint>
 
 #include "base/error.hpp"
 #include "base/text.hpp"
@@ -14,16 +15,22 @@
 #include "writer/x3d/x3d.hpp"
 
 namespace cloudgen::writer {
+namespace {
+
+/// Clouds that are nodes of their own, each with its animation: viewers compute all of them for every frame.
+constexpr std::size_t kMostMovingNodes = 4000;
+
+}  // namespace
 
 std::span<const Format> formats() {
   static const std::vector<Format> kFormats{
-      {"x3d", "X3D XML, portable profile", {"scene.x3d"}, writeX3d},
-      {"x3dv", "X3D in the ClassicVRML encoding", {"scene.x3dv"}, writeClassicVrml},
-      {"vrml", "VRML97", {"scene.wrl"}, writeVrml97},
+      {"x3d", "X3D XML, portable profile", {"scene.x3d"}, writeX3d, false, false, kMostMovingNodes},
+      {"x3dv", "X3D in the ClassicVRML encoding", {"scene.x3dv"}, writeClassicVrml, false, false, kMostMovingNodes},
+      {"vrml", "VRML97", {"scene.wrl"}, writeVrml97, false, false, kMostMovingNodes},
       {"splats", "Gaussian splats: glTF with KHR_gaussian_splatting", {"scene.splats.glb"}, writeSplats},
       {"ply", "Gaussian splats as splat tools read them", {"scene.splats.ply"}, writePly, true},
-      {"glb", "core glTF 2.0: instanced crossed cards", {"scene.glb"}, writeCards},
-      {"pack", "realtime runtime pack (FlatBuffers)", {"scene.cgpack"}, writePack, false, false, true},
+      {"glb", "core glTF 2.0: instanced crossed cards", {"scene.glb"}, writeCards, false, false, kMostMovingNodes},
+      {"pack", "realtime runtime pack (FlatBuffers)", {"scene.cgpack"}, writePack, false, false, SIZE_MAX},
       {"tiles", "3D Tiles 1.1: a quadtree of splats or cards on the globe", {"tileset.json"}, writeTiles, true},
       {"impostors", "pictures of each cloud from all sides, with depth", {"impostors.json"}, writeImpostors, true},
       {"page", "a page that opens in any browser (shows the pack)", {"index.html"}, writePage, false, true},

@@ -53,7 +53,11 @@ struct Format {
   void (*write)(const scene::Scene&, const Destination&);
   bool onlyOnRequest = false;      ///< not among those that are written when none is named
   bool showsVerification = false;  ///< wants Destination::verification: written after the scene was verified
-  bool moves = false;              ///< holds motions; the others get the scene of the first time
+  /// Clouds of all times of a sky that moves that it holds with their motions, at most; with more it gets the scene of
+  /// the first time.
+  std::size_t mostMovingClouds = 0;
+
+  bool moves(const scene::Scene& scene) const { return scene.instances.size() <= mostMovingClouds; }
 };
 
 }  // namespace cloudgen::writer

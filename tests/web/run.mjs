@@ -14,6 +14,7 @@ import {CLOUD_NODES, withoutClouds} from './lib/empty_sky.mjs';
 import {Runner} from './lib/runner.mjs';
 import {serve} from './lib/server.mjs';
 import {drawsByComparison, drawsByRemoval} from './checks/drawing.mjs';
+import {skyMoves} from './checks/film.mjs';
 import {fliesOnceChosen} from './checks/flight.mjs';
 import {pageWorks} from './checks/page.mjs';
 import {folderIsStreamed} from './checks/page_folder.mjs';
@@ -53,9 +54,10 @@ async function checkScene(runner, folder, onlyPage, turn) {
   if (has('index.html') && browser)
     for (const size of turn === null ? SIZES : [SIZES[turn % SIZES.length]])
       runner.addAlone(`${scene}: index.html works at ${size.width}x${size.height}`, 300, () => pageWorks(folder, size, picture(`page_${size.width}`)));
+  const moves = JSON.parse(await readFile(join(folder, 'report.json'), 'utf8')).valid_times.length > 1;
   if (has('index.html') && browser) {
     if (!turn) runner.addAlone(`${scene}: index.html reads a pack from beside it`, 120, () => folderIsStreamed(folder));
-    if (JSON.parse(await readFile(join(folder, 'report.json'), 'utf8')).valid_times.length > 1)
+    if (moves)
       runner.addAlone(`${scene}: index.html plays the sky`, 300, () => movingPageWorks(folder, `${folder}.still`, picture('page_time')));
   }
   if (onlyPage) return;
@@ -74,7 +76,7 @@ async function checkScene(runner, folder, onlyPage, turn) {
   let viewers = 0;
   const isItsTurn = () => turn === null || (!has('tileset.json') && viewers++ % 2 === turn % 2);
   const draws = (viewer, page, file, settle) => {
-    if (isItsTurn() && has(file) && browser)
+    if (isItsTurn() && has(file) && browser && !(moves && file === 'scene.x3d'))
       runner.add(`${scene}: ${viewer} draws ${file}`, 300, () =>
         drawsByRemoval(at(page, `/scene/${file}`), picture(`${page}_${file}`), page === 'xite' ? CLOUD_NODES : [], settle),
       );
@@ -84,7 +86,8 @@ async function checkScene(runner, folder, onlyPage, turn) {
   if (browser && has('scene.x3d') && texts['/empty.x3d'].includes('View_Flight'))
     runner.add(`${scene}: X_ITE flies along --fly in scene.x3d`, 200, () => fliesOnceChosen(at('xite', '/scene/scene.x3d')));
   if (has('scene.x3d')) {
-    if (isItsTurn() && browser)
+    // Where a film is when somebody opens it is chance: see `plays`.
+    if (isItsTurn() && browser && !moves)
       runner.add(`${scene}: X3DOM draws scene.x3d`, 400, () =>
         drawsByComparison(at('x3dom', '/scene/scene.x3d'), at('x3dom', '/empty.x3d'), picture('x3dom_scene.x3d')),
       );
@@ -97,6 +100,14 @@ async function checkScene(runner, folder, onlyPage, turn) {
   draws('Babylon.js', 'babylon', 'scene.splats.glb', 3000);
   draws('three.js', 'three', 'scene.glb');
   draws('Babylon.js', 'babylon', 'scene.glb');
+  const plays = (viewer, page, file) => {
+    if (moves && has(file) && browser)
+      runner.add(`${scene}: ${viewer} plays ${file}`, 300, () => skyMoves(at(page, `/scene/${file}`), folder, picture(`${page}_${file}_film`)));
+  };
+  plays('X_ITE', 'xite', 'scene.x3d');
+  plays('X3DOM', 'x3dom', 'scene.x3d');
+  plays('three.js', 'three', 'scene.glb');
+  plays('Babylon.js', 'babylon', 'scene.glb');
   if (has('tileset.json') && browser) await checkTiles(runner, scene, folder, picture);
   for (const file of ['scene.glb', 'scene.splats.glb'])
     if (has(file)) runner.addAlone(`${scene}: gltf-validator has nothing against ${file}`, 120, () => glbIsClean(join(folder, file)));

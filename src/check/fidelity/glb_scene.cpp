@@ -24,6 +24,7 @@ void addNode(const MeshNode& node, const std::string& where, WrittenScene& scene
   if (cards.size() > 0 && node.places.size() > (kMostCards - scene.blobs.size()) / cards.size())
     throw base::InputError(where, "draws more cards than can be read", "is it a scene of cloudgen?");
   for (const MeshPlace& place : node.places) {
+    if (place.axes == glm::mat3(0)) continue;  // its time is not the first of a sky that moves
     for (const Card& card : cards) {
       Blob blob = cardBlob(place.shift + place.axes * card.center, place.axes * card.right / kCardReach,
                            place.axes * card.up / kCardReach, card.opticalDepth);

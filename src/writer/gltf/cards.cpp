@@ -8,6 +8,7 @@
 #include "light/relief.hpp"
 #include "light/shade.hpp"
 #include "writer/gltf/cloud_mesh.hpp"
+#include "writer/gltf/film_animation.hpp"
 #include "writer/gltf/glb_file.hpp"
 #include "writer/gltf/gltf.hpp"
 #include "writer/gltf/scene_extras.hpp"
@@ -141,18 +142,20 @@ void addInstanced(GlbFile& file, const scene::Scene& scene, const std::string& n
                 .instancing = addPlaces(file, scene, instances, middle)});
 }
 
-/// A node a cloud. Core glTF has no colour of a node: clouds in the shadow of others are as bright as all.
-void addSingly(GlbFile& file, const scene::Scene& scene, const std::string& name, int mesh,
-               const std::vector<std::uint32_t>& instances) {
+/// A node a cloud, as it stands when the film begins. Core glTF has no colour of a node: clouds in the shadow of others
+/// are as bright as all.
+void addSingly(GlbFile& file, FilmAnimation& animation, const Film& film, const scene::Scene& scene,
+               const std::string& name, int mesh, const std::vector<std::uint32_t>& instances) {
   for (const std::uint32_t i : instances) {
     const scene::Instance& cloud = scene.instances[i];
     const scene::LitArchetype& lit = scene.lit[cloud.lit];
     const nlohmann::json extras = cloudExtras(scene, scene.archetypes[lit.archetype], std::span(&i, 1));
-    file.addNode({.name = name,
-                  .mesh = mesh,
-                  .translation = glm::dvec3(cloud.position),
-                  .scale = static_cast<double>(cloud.scale),
-                  .extras = &extras});
+    const int node = file.addNode({.name = name,
+                                   .mesh = mesh,
+                                   .translation = glm::dvec3(cloud.position),
+                                   .scale = film.isThereAtFirst(i) ? static_cast<double>(cloud.scale) : 0,
+                                   .extras = &extras});
+    if (film.moves()) animation.move(i, node);
   }
 }
 
@@ -188,6 +191,8 @@ void addGround(GlbFile& file, const scene::Scene& scene) {
 void writeCards(const scene::Scene& scene, const Destination& destination) {
   GlbFile file(sceneExtras(scene));
   addGround(file, scene);
+  const Film film(scene);
+  FilmAnimation animation(file, film);
   const auto groups = instancesByLight(scene);
   const auto clouds = shellsOf(scene, groups);
   const std::map<base::Genus, GenusPictures> genera = picturesByGenus(file, scene, clouds);
@@ -201,7 +206,10 @@ void writeCards(const scene::Scene& scene, const Destination& destination) {
     if (cards.indices.empty()) continue;  // so faint that nothing of it is seen
     const std::string name = fmt::format("{} heading {}", archetype.name, lit.yawStep);
     const int mesh = addCloudMesh(file, name, cards, genus.material);
-    (destination.cards.singly ? addSingly : addInstanced)(file, scene, name, mesh, groups[g]);
+    if (destination.cards.singly || film.moves())
+      addSingly(file, animation, film, scene, name, mesh, groups[g]);
+    else
+      addInstanced(file, scene, name, mesh, groups[g]);
   }
   file.write(destination.folder / "scene.glb");
   destination.progress.step("glb", 1);

@@ -79,6 +79,10 @@ struct GlbFile::Parts {
   std::uint64_t binaryBytes = 0;
   std::map<std::vector<std::uint32_t>, int> indices;  // accessors of those that are there
 
+  tinygltf::Animation& animation() {
+    if (model.animations.empty()) model.animations.emplace_back();
+    return model.animations.front();
+  }
   void append(std::string_view bytes) {
     if (pieces.empty() || pieces.back().fill) pieces.emplace_back();
     pieces.back().bytes.append(bytes);
@@ -306,6 +310,32 @@ int GlbFile::addNode(const Node& node) {
   model.nodes.push_back(std::move(out));
   model.scenes[0].nodes.push_back(indexOfLast(model.nodes));
   return indexOfLast(model.nodes);
+}
+
+void GlbFile::nameAnimation(const std::string& name) { parts_->animation().name = name; }
+
+int GlbFile::addKeys(int components, std::span<const float> values) {
+  const int index = addAccessor(addView(values.data(), values.size_bytes(), 0), TINYGLTF_COMPONENT_TYPE_FLOAT,
+                                components, values.size() / static_cast<std::size_t>(components));
+  if (components == 1) {
+    parts_->model.accessors.back().minValues = {values.front()};
+    parts_->model.accessors.back().maxValues = {values.back()};
+  }
+  return index;
+}
+
+void GlbFile::animate(int node, const char* path, int times, int values) {
+  tinygltf::Animation& animation = parts_->animation();
+  tinygltf::AnimationSampler sampler;
+  sampler.input = times;
+  sampler.output = values;
+  sampler.interpolation = "LINEAR";
+  animation.samplers.push_back(std::move(sampler));
+  tinygltf::AnimationChannel channel;
+  channel.sampler = indexOfLast(animation.samplers);
+  channel.target_node = node;
+  channel.target_path = path;
+  animation.channels.push_back(std::move(channel));
 }
 
 void GlbFile::useExtension(const std::string& name, bool required) {

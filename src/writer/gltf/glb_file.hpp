@@ -95,6 +95,14 @@ class GlbFile {
   int addPlainMaterial(const std::string& name, glm::vec3 color);
   int addMesh(const std::string& name, const Primitive& primitive);
   int addNode(const Node& node);
+
+  /// The name of the one animation.
+  void nameAnimation(const std::string& name);
+  /// Seconds (1 component, ascending, with the bounds that they need) or values at them (3) of an animation.
+  int addKeys(int components, std::span<const float> values);
+  /// Animates "translation" or "scale" of a node, linear between its keys.
+  void animate(int node, const char* path, int times, int values);
+
   void useExtension(const std::string& name, bool required);
 
   /// Writes the file, whole or not at all. Throws OutputError.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "writer/film/film.hpp"
+
 namespace cloudgen::writer::gltf {
 
 nlohmann::json arrayOf(glm::dvec3 values) { return {values.x, values.y, values.z}; }
@@ -40,6 +42,10 @@ nlohmann::json sceneExtras(const scene::Scene& scene) {
                           {"elevation_degrees", scene.sun.elevationDegrees},
                           {"direction", arrayOf(scene.sun.direction)}}},
                         {"clouds", scene.instances.size()}};
+  if (const Film film(scene); film.moves())
+    extras["film"] = {{"description", film.description()},
+                      {"seconds", film.seconds()},
+                      {"seconds_an_hour", kFilmSecondsPerHour}};
   if (!scene.terrain.empty()) extras["terrain"] = terrainExtras(scene.terrain);
   return extras;
 }

@@ -50,8 +50,19 @@ CloudLook lookOf(const scene::Instance& instance) {
 constexpr float kLeastSizes = 0.15f, kMostSizes = 0.25f, kMiddleSizes = 3, kCoarseSizes = 8;
 constexpr std::array kFineToCoarse{MeshFineness::Fine, MeshFineness::Middle, MeshFineness::Coarse};
 
+/// How far away a picture gives way to the next coarser one.
+float endOf(MeshFineness fineness, float size) {
+  return (fineness == MeshFineness::Fine ? kMiddleSizes : kCoarseSizes) * size;
+}
+
 float nearRange(float size, float reachMeters) {
   return std::clamp(reachMeters, kLeastSizes * size, kMostSizes * size);
+}
+
+/// How far away a picture begins to be drawn.
+float beginningOf(MeshFineness fineness, float size, float reachMeters) {
+  if (fineness == MeshFineness::Fine) return nearRange(size, reachMeters);
+  return endOf(fineness == MeshFineness::Middle ? MeshFineness::Fine : MeshFineness::Middle, size);
 }
 
 }  // namespace
@@ -67,14 +78,17 @@ void CloudNodes::near(std::uint32_t i, float reachMeters, Beyond beyond) {
   const std::vector<CloudPart> full = partsIn(instance, CloudDetail::Full);
   const float size = sizeOf(scene_, instance);
   std::vector<float> ranges{nearRange(size, reachMeters)};
-  if (beyond == Beyond::Here) ranges.insert(ranges.end(), {kMiddleSizes * size, kCoarseSizes * size});
+  std::vector<MeshFineness> pictures;
+  for (const MeshFineness fineness : kFineToCoarse) {
+    if (beyond == Beyond::Elsewhere && fineness >= finestWhole_) break;
+    pictures.push_back(fineness);
+    if (fineness != MeshFineness::Coarse) ranges.push_back(endOf(fineness, size));
+  }
 
   openLevels(instance, name, ranges);
   parts(genusOf(scene_, instance), full, {});
-  if (beyond == Beyond::Elsewhere)
-    empty();
-  else
-    for (const MeshFineness fineness : kFineToCoarse) picture(instance, fineness);
+  for (const MeshFineness fineness : pictures) picture(instance, fineness);
+  if (beyond == Beyond::Elsewhere) empty();
   nodes_.close();
   nodes_.close();
 }
@@ -84,14 +98,17 @@ void CloudNodes::whole(std::uint32_t i, std::optional<float> reachMeters) {
   const std::uint32_t archetype = scene_.lit[instance.lit].archetype;
   const std::string name =
       fmt::format("{}_{}_shade{}", reachMeters ? "Beyond" : "Whole", archetype, shadeOf(instance));
-  place(i);
+  film_.openFollower(i, instance);
   if (defined_.insert(name).second) {
     const float size = sizeOf(scene_, instance);
-    std::vector<float> ranges{kMiddleSizes * size, kCoarseSizes * size};
-    if (reachMeters) ranges.insert(ranges.begin(), nearRange(size, *reachMeters));
+    std::vector<float> ranges;
+    if (reachMeters) ranges.push_back(beginningOf(finestWhole_, size, *reachMeters));
+    for (const MeshFineness fineness : kFineToCoarse)
+      if (fineness >= finestWhole_ && fineness != MeshFineness::Coarse) ranges.push_back(endOf(fineness, size));
     openLevels(instance, name, ranges);
     if (reachMeters) empty();
-    for (const MeshFineness fineness : kFineToCoarse) picture(instance, fineness);
+    for (const MeshFineness fineness : kFineToCoarse)
+      if (fineness >= finestWhole_) picture(instance, fineness);
     nodes_.close();
   } else {
     nodes_.use("LOD", "children", name);
@@ -134,15 +151,8 @@ void CloudNodes::fixed(std::uint32_t i, CloudDetail detail) {
   nodes_.close();
 }
 
-void CloudNodes::place(std::uint32_t i) {
-  const scene::Instance& instance = scene_.instances[i];
-  nodes_.open("Transform");
-  nodes_.vector("scale", glm::vec3(instance.scale), 4);
-  nodes_.vector("translation", instance.position, 1);
-}
-
 void CloudNodes::open(std::uint32_t i) {
-  place(i);
+  film_.openFollower(i, scene_.instances[i]);
   if (i < scene_.clouds.size()) record(scene_.clouds[i]);
 }
 

@@ -7,6 +7,7 @@
 
 #include "writer/x3d/cloud_meshes.hpp"
 #include "writer/x3d/cloud_parts.hpp"
+#include "writer/x3d/film_nodes.hpp"
 #include "writer/x3d/quad_shape.hpp"
 
 namespace cloudgen::writer {
@@ -18,10 +19,17 @@ enum class Beyond : unsigned char { Here, Elsewhere };
 /// archetype, which the first cloud that needs it defines and the others use.
 class CloudNodes {
  public:
-  /// `meshes` may be null where no cloud is written in levels.
-  CloudNodes(NodeWriter& nodes, QuadShapes& shapes, const scene::Scene& scene, const Coverings& coverings,
-             const CloudMeshes* meshes)
-      : nodes_(nodes), shapes_(shapes), scene_(scene), coverings_(coverings), meshes_(meshes) {}
+  /// `meshes` may be null where no cloud is written in levels. Pictures finer than `finestWhole` are only of clouds
+  /// that are also in full: `whole` leaves them to `near` elsewhere.
+  CloudNodes(NodeWriter& nodes, QuadShapes& shapes, FilmNodes& film, const scene::Scene& scene,
+             const Coverings& coverings, const CloudMeshes* meshes, MeshFineness finestWhole = MeshFineness::Fine)
+      : nodes_(nodes),
+        shapes_(shapes),
+        film_(film),
+        scene_(scene),
+        coverings_(coverings),
+        meshes_(meshes),
+        finestWhole_(finestWhole) {}
 
   /// A cloud that is seen in full by who is almost in it, and as pictures of its parts by who is near: as far
   /// away as `reachMeters` (in the archetype's metres), or a little of its own size. Beyond it is one
@@ -34,7 +42,6 @@ class CloudNodes {
   void fixed(std::uint32_t instance, CloudDetail detail);
 
  private:
-  void place(std::uint32_t instance);
   void open(std::uint32_t instance);
   void record(const scene::CloudRecord& cloud);
   std::string nameOf(const scene::Instance& instance) const;
@@ -46,9 +53,11 @@ class CloudNodes {
 
   NodeWriter& nodes_;
   QuadShapes& shapes_;
+  FilmNodes& film_;
   const scene::Scene& scene_;
   const Coverings& coverings_;
   const CloudMeshes* meshes_;
+  MeshFineness finestWhole_;
   std::set<std::string> defined_;
 };
 

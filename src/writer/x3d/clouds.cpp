@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -13,12 +14,15 @@
 #include "writer/x3d/cards.hpp"
 #include "writer/x3d/cloud_nodes.hpp"
 #include "writer/x3d/file_pictures.hpp"
+#include "writer/x3d/film_nodes.hpp"
 #include "writer/x3d/tile_tree.hpp"
 
 namespace cloudgen::writer {
 namespace {
 
 constexpr double kLiveClouds = 250;       ///< clouds that are drawn one by one around the viewer, about
+/// Clouds of all times of a sky that moves with finer pictures than coarse ones in the scene's file, at most.
+constexpr std::size_t kFinelyMovingClouds = 1000;
 constexpr double kNearClouds = 4;         ///< clouds that are drawn in full around the viewer, about
 constexpr std::size_t kFarPuffs = 24000;  ///< puffs in the far shapes of all tiles together, about
 /// The pictures of clouds in the scene's file and in that of a tile.
@@ -76,8 +80,20 @@ std::vector<bool> partedOf(const scene::Scene& scene) {
 struct File {
   NodeWriter& nodes;
   QuadShapes& shapes;
+  FilmNodes& film;
   CloudNodes clouds;
   const FilePictures& pictures;
+
+  /// Writes clouds, those of a time together.
+  void eachOf(std::span<const std::uint32_t> instances, const std::function<void(std::uint32_t)>& write) {
+    for (std::size_t i = 0; i < instances.size(); ++i) {
+      const bool isFirst = i == 0 || !film.areThereTogether(instances[i - 1], instances[i]);
+      if (isFirst && i > 0) film.closeWhileThere();
+      if (isFirst) film.openWhileThere(instances[i]);
+      write(instances[i]);
+    }
+    if (!instances.empty()) film.closeWhileThere();
+  }
 };
 
 class Tiles {
@@ -88,11 +104,15 @@ class Tiles {
         stage_(stage),
         atlases_(atlases),
         encoding_(encoding),
+        film_(scene),
         trees_(tileTrees(scene, stage)),
         full_(fullOf(scene)),
         coverings_(scene, atlases, full_),
         meshes_(scene),
-        isSmall_(scene.instances.size() <= kLiveClouds) {
+        isSmall_(film_.moves() || scene.instances.size() <= kLiveClouds),
+        finestWhole_(!film_.moves()                               ? MeshFineness::Fine
+                     : scene.instances.size() <= kFinelyMovingClouds ? MeshFineness::Middle
+                                                                  : MeshFineness::Coarse) {
     chooseAtHand();
   }
 
@@ -117,7 +137,9 @@ class Tiles {
     const FilePictures pictures(scene_, squares, kPicturesAtHand, "pictures.png");
     pictures.texture(folder);
     declareUnlit(nodes);
-    File main{nodes, shapes, CloudNodes(nodes, shapes, scene_, coverings_, &meshes_), pictures};
+    FilmNodes film(nodes, film_);
+    File main{nodes, shapes, film, CloudNodes(nodes, shapes, film, scene_, coverings_, &meshes_, finestWhole_),
+              pictures};
     for (std::size_t i = 0; i < trees_.size(); ++i) {
       if (!isAtHand_[i])
         away(main, trees_[i]);
@@ -128,6 +150,7 @@ class Tiles {
     }
     for (std::size_t i = 0; i < trees_.size(); ++i)
       if (!isAtHand_[i]) routes(nodes, trees_[i].name);
+    film.finish();
   }
 
  private:
@@ -148,7 +171,7 @@ class Tiles {
 
   /// Distance within which about so many clouds stand, were they spread evenly.
   float reachOf(double clouds) const {
-    const auto count = static_cast<double>(std::max<std::size_t>(scene_.instances.size(), 1));
+    const double count = std::max(film_.cloudsAtOnce(), 1.0);
     const double area =
         static_cast<double>(stage_.upper.x - stage_.lower.x) * (stage_.upper.z - stage_.lower.z);
     return static_cast<float>(std::sqrt(clouds * area / (std::numbers::pi * count)));
@@ -177,12 +200,12 @@ class Tiles {
         levels(file, "Part_" + part.name, part);
     }
     if (!tile.children.empty()) return;
-    for (const std::uint32_t i : tile.instances) {
+    file.eachOf(tile.instances, [&](std::uint32_t i) {
       if (full_[i])
         file.clouds.near(i, reachOf(kNearClouds), Beyond::Here);
       else
         file.clouds.fixed(i, CloudDetail::Simple);
-    }
+    });
   }
 
   static void addParts(const TileNode& tile, std::vector<const TileNode*>& out) {
@@ -207,7 +230,7 @@ class Tiles {
   /// A tile as it is until its file is there: its clouds as one picture each, or as it is from afar.
   void fromAfar(File& file, const TileNode& tile) const {
     if (!isSmall_) return file.pictures.writeSquare(file.shapes, tile);
-    for (const std::uint32_t i : tile.instances) file.clouds.whole(i, std::nullopt);
+    file.eachOf(tile.instances, [&](std::uint32_t i) { file.clouds.whole(i, std::nullopt); });
   }
 
   /// A tile as it is from afar until the viewer is near and its file is there. X3DOM 1.8 fetches any Inline
@@ -235,7 +258,7 @@ class Tiles {
     if (isSmall_) nodes.open("Group");
     nodes.use("Inline", "children", "Clouds_" + tile.name);
     if (isSmall_) {
-      for (const std::uint32_t i : tile.instances) file.clouds.whole(i, reachOf(kNearClouds));
+      file.eachOf(tile.instances, [&](std::uint32_t i) { file.clouds.whole(i, reachOf(kNearClouds)); });
       nodes.close();
     }
     nodes.close();
@@ -268,12 +291,15 @@ class Tiles {
     const FilePictures pictures(scene_, squares, kTilePictures, fmt::format("pictures_{}.png", tile.name));
     pictures.texture(folder);
     declareUnlit(*nodes);
-    File one{*nodes, shapes, CloudNodes(*nodes, shapes, scene_, coverings_, &meshes_), pictures};
+    FilmNodes film(*nodes, film_);
+    File one{*nodes, shapes, film, CloudNodes(*nodes, shapes, film, scene_, coverings_, &meshes_, finestWhole_),
+             pictures};
     if (isSmall_)
-      for (const std::uint32_t i : tile.instances)
-        one.clouds.near(i, reachOf(kNearClouds), Beyond::Elsewhere);
+      one.eachOf(tile.instances,
+                 [&](std::uint32_t i) { one.clouds.near(i, reachOf(kNearClouds), Beyond::Elsewhere); });
     else
       within(one, tile);
+    film.finish();
     nodes->finish();
   }
 
@@ -281,11 +307,13 @@ class Tiles {
   const Stage& stage_;
   const std::vector<image::SpriteAtlas>& atlases_;
   Encoding encoding_;
+  Film film_;
   std::vector<TileNode> trees_;
   std::vector<bool> full_, isAtHand_;
   Coverings coverings_;
   CloudMeshes meshes_;
   bool isSmall_;  ///< all clouds are drawn one by one wherever the viewer is: nothing is seen from afar
+  MeshFineness finestWhole_;
 };
 
 /// All clouds in one file: those nearest to where the viewpoints look in full, more of them as their far
@@ -303,14 +331,16 @@ void writeFixed(NodeWriter& nodes, QuadShapes& shapes, const scene::Scene& scene
   }
   const Coverings coverings(scene, shapes.atlases(), full);
   const std::vector<bool> inParts = partedOf(scene);
-  CloudNodes clouds(nodes, shapes, scene, coverings, nullptr);
+  const Film film(scene);
+  FilmNodes filmNodes(nodes, film);
+  CloudNodes clouds(nodes, shapes, filmNodes, scene, coverings, nullptr);
   const auto trees = tileTrees(scene, stage);
   for (std::size_t i = 0; i < trees.size(); ++i) {
     progress.step("writing VRML", static_cast<double>(i) / static_cast<double>(trees.size()));
     nodes.open("Group", "children", "Tile_" + trees[i].name);
     std::vector<std::uint32_t> others;
     for (const std::uint32_t instance : trees[i].instances) {
-      if (rank[instance] < kVrml97Simple)
+      if (film.moves() || rank[instance] < kVrml97Simple)
         clouds.fixed(instance, full[instance] ? CloudDetail::Full : CloudDetail::Simple);
       else
         others.push_back(instance);
@@ -318,6 +348,7 @@ void writeFixed(NodeWriter& nodes, QuadShapes& shapes, const scene::Scene& scene
     writeCards(shapes, scene, others, inParts);
     nodes.close();
   }
+  filmNodes.finish();
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "base/text.hpp"
 #include "light/color.hpp"
+#include "writer/film/film.hpp"
 #include "writer/x3d/flight.hpp"
 #include "writer/x3d/ground.hpp"
 #include "writer/x3d/viewpoints.hpp"
@@ -164,6 +165,7 @@ HeadEntries headOf(const scene::Scene& scene, const Stage& stage) {
   head.emplace_back("frame",
                     "metres, x east, y up from mean sea level, z south, origin at the south-west corner; " +
                         scene.frame.definition());
+  if (const Film film(scene); film.moves()) head.emplace_back("film", film.description());
   head.emplace_back("seed", std::to_string(scene.seed));
   return head;
 }

@@ -3,6 +3,8 @@
 
 #include <glm/common.hpp>
 
+#include "writer/film/film.hpp"
+
 namespace cloudgen::writer {
 namespace {
 
@@ -37,11 +39,13 @@ Stage stageOf(const scene::Scene& scene) {
   stage.focus = 0.5f * (stage.lower + stage.upper);
   stage.focusBase = stage.focusTop = stage.focus.y;
   double most = 0;
+  const Film film(scene);
   for (const scene::Tile& tile : scene::tilesOf(scene, 0.5f * tileSide(stage))) {
     double cover = 0, base = 0;
     glm::dvec3 middle(0);
     float top = -1e30f;
     for (const std::uint32_t i : tile.instances) {
+      if (!film.isThereAtFirst(i)) continue;
       const scene::Instance& instance = scene.instances[i];
       const shape::Bounds& box = scene.archetypes[scene.lit[instance.lit].archetype].bounds;
       const double weight = std::pow(widthOf(scene, instance), 2);

@@ -10,7 +10,7 @@ struct Stage {
   glm::vec3 lower{0}, upper{0};       ///< box around ground and clouds
   float extent = 0;                   ///< longer horizontal side of the box
   float cloudWidth = 0;               ///< mean width of the clouds, weighted by their width
-  glm::vec3 focus{0};                 ///< the middle of the clouds where they are densest
+  glm::vec3 focus{0};                 ///< the middle of the clouds where they are densest (at first)
   float focusBase = 0, focusTop = 0;  ///< mean base and greatest top there
 };
 

@@ -12,6 +12,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/text.hpp"
+#include "support/moving_scene.hpp"
 #include "support/scratch.hpp"
 #include "support/small_scene.hpp"
 
@@ -137,7 +138,7 @@ TEST_F(X3d, IsValidByTheOfficialSchema) {
 
 TEST_F(X3d, EveryUseHasAnEarlierDefAndEveryDefIsUnique) {
   const std::regex names(R"re((DEF|USE)="([^"]*)")re");
-  for (const scene::Scene& scene : {test::smallScene(), manyClouds()}) {
+  for (const scene::Scene& scene : {test::smallScene(), manyClouds(), test::moving(manyClouds())}) {
     int uses = 0;
     for (const auto& [file, text] : writtenFiles(writeX3d, scene)) {
       std::set<std::string> defined;
@@ -314,8 +315,9 @@ TEST_F(X3d, ClassicAndVrml97HaveTheirHeadersAndBalancedBrackets) {
 
 TEST_F(X3d, Vrml97KnowsOnlyNodesOfItsTime) {
   const std::string text = written(writeVrml97, test::smallScene(), "scene.wrl");
-  for (const char* later : {"IndexedTriangleSet", "ColorRGBA", "Metadata", "centerOfRotation", "LOD {"})
-    EXPECT_EQ(text.find(later), std::string::npos) << later;
+  const std::string moving = written(writeVrml97, test::moving(test::smallScene()), "scene.wrl");
+  for (const char* later : {"IndexedTriangleSet", "ColorRGBA", "Metadata", "centerOfRotation", "LOD {", "Sequencer"})
+    EXPECT_EQ((text + moving).find(later), std::string::npos) << later;
   EXPECT_NE(text.find("transparency"), std::string::npos);  // the thin cirrus
   EXPECT_NE(text.find("\"genus Ci\""), std::string::npos);
 }
