@@ -8,13 +8,11 @@
 #include <tuple>
 
 #include "light/shade.hpp"
-#include "writer/gltf/splat.hpp"
+#include "writer/tiles3d/merging.hpp"
 
 namespace cloudgen::writer::tiles3d {
 namespace {
 
-/// A Gaussian is seen as wide as so many deviations.
-constexpr double kVisibleSigmas = 4;
 /// Clouds of one layer are joined, not those above each other.
 constexpr double kBandMeters = 1500;
 constexpr double kCellGrowth = 1.4142135623730951;
@@ -27,14 +25,15 @@ double visibleWidth(std::span<const shape::Puff> puffs) {
 
 enum class Drawn { AllPuffs, FewPuffs, OnePuff };
 
-/// What drawing an archetype in fewer puffs loses, at scale 1.
+/// What drawing an archetype in fewer puffs loses, at scale 1. One puff has no lit and no shaded side, which is seen
+/// until it is half as wide as what else is let go.
 struct Loss {
   double fewMeters = 0, oneMeters = 0;
   std::size_t puffs = 0, few = 0;
 };
 
 Loss lossOf(const scene::Archetype& archetype) {
-  Loss loss{visibleWidth(archetype.farPuffs), visibleWidth(std::span(&archetype.onePuff, 1)),
+  Loss loss{visibleWidth(archetype.farPuffs), 2 * visibleWidth(std::span(&archetype.onePuff, 1)),
             archetype.puffs.size(), archetype.farPuffs.size()};
   if (loss.few == 0 || loss.few >= loss.puffs) loss.few = loss.puffs, loss.fewMeters = 0;
   loss.oneMeters = std::max(loss.oneMeters, loss.fewMeters);
@@ -72,42 +71,6 @@ LitPuff onePuffOf(const scene::Scene& scene, std::uint32_t cloud) {
           lightOf(scene, instance, lit.onePuff), scene.archetypes[lit.archetype].genus};
 }
 
-/// One upright puff of the mean place, spread and light of these, each by what it covers. It covers what they
-/// cover together if they overlap at random: their covers add up as optical depths do.
-LitPuff joined(std::span<const LitPuff> puffs) {
-  glm::dvec3 mean(0), variance(0), color(0);
-  double covered = 0, forward = 0;
-  const auto coverOf = [](const shape::Puff& puff) {
-    return static_cast<double>(gltf::splatOpacity(puff)) * puff.sigma.x * puff.sigma.z;
-  };
-  for (const LitPuff& one : puffs) {
-    const double cover = coverOf(one.puff);
-    covered += cover;
-    mean += cover * glm::dvec3(one.puff.center);
-    color += cover * glm::dvec3(one.light.color);
-    forward += cover * static_cast<double>(one.light.forward);
-  }
-  if (covered <= 0) return puffs.front();
-  mean /= covered;
-  for (const LitPuff& one : puffs) {
-    const shape::Bounds own = shape::boundsOf(std::span(&one.puff, 1), 1);
-    const glm::dvec3 half = 0.5 * glm::dvec3(own.upper - own.lower),
-                     away = glm::dvec3(one.puff.center) - mean;
-    variance += coverOf(one.puff) / covered * (half * half + away * away);
-  }
-  LitPuff out{
-      puffs.front().puff,
-      {glm::vec3(color / covered), static_cast<float>(forward / covered)},
-      std::ranges::max_element(puffs, {}, [&](const LitPuff& one) { return coverOf(one.puff); })->genus};
-  out.puff.center = mean;
-  out.puff.rotation = glm::quat(1, 0, 0, 0);
-  out.puff.sigma = glm::sqrt(variance);
-  const double opticalDepth = covered / (out.puff.sigma.x * out.puff.sigma.z);
-  const float thinnest = std::min({out.puff.sigma.x, out.puff.sigma.y, out.puff.sigma.z});
-  out.puff.extinctionPerMeter = static_cast<float>(opticalDepth) / shape::centralOpticalDepth(1, thinnest);
-  return out;
-}
-
 /// Every cloud as one puff, sorted by cell.
 std::vector<LitPuff> joinedClouds(const scene::Scene& scene, Clouds clouds, double cellMeters) {
   std::vector<std::pair<CellKey, std::uint32_t>> places;
@@ -130,6 +93,30 @@ std::size_t cellsTaken(const scene::Scene& scene, Clouds clouds, double cellMete
     keys.push_back(cellOf(scene.instances[cloud].position, cellMeters));
   std::sort(keys.begin(), keys.end());
   return static_cast<std::size_t>(std::unique(keys.begin(), keys.end()) - keys.begin());
+}
+
+/// The puffs of the clouds, each in the fewest that lose no more than that.
+std::vector<LitPuff> puffsOfEach(const scene::Scene& scene, Clouds clouds, double errorMeters) {
+  std::vector<Loss> losses;
+  for (const scene::Archetype& archetype : scene.archetypes) losses.push_back(lossOf(archetype));
+  std::vector<LitPuff> out;
+  for (const std::uint32_t cloud : clouds) {
+    const scene::Instance& instance = scene.instances[cloud];
+    const scene::LitArchetype& lit = scene.lit[instance.lit];
+    const scene::Archetype& archetype = scene.archetypes[lit.archetype];
+    const Drawn drawn = drawnAt(losses[lit.archetype], instance.scale, errorMeters);
+    if (drawn == Drawn::OnePuff && errorMeters > 0) {
+      out.push_back(onePuffOf(scene, cloud));
+      continue;
+    }
+    const auto& puffs = drawn == Drawn::FewPuffs ? archetype.farPuffs : archetype.puffs;
+    const auto& lights = drawn == Drawn::FewPuffs ? lit.farPuffs : lit.puffs;
+    const float covering = drawn == Drawn::FewPuffs ? archetype.farCovering : archetype.covering;
+    for (std::size_t p = 0; p < lights.size(); ++p)
+      out.push_back({scene::placed(scene, instance, puffs[p]), lightOf(scene, instance, lights[p]),
+                     archetype.genus, covering});
+  }
+  return out;
 }
 
 }  // namespace
@@ -163,27 +150,9 @@ Detail detailWithin(const scene::Scene& scene, Clouds clouds, std::size_t budget
 }
 
 std::vector<LitPuff> puffsAt(const scene::Scene& scene, Clouds clouds, const Detail& detail) {
-  if (detail.cellMeters > 0) return joinedClouds(scene, clouds, detail.cellMeters);
-  std::vector<Loss> losses;
-  for (const scene::Archetype& archetype : scene.archetypes) losses.push_back(lossOf(archetype));
-  std::vector<LitPuff> out;
-  for (const std::uint32_t cloud : clouds) {
-    const scene::Instance& instance = scene.instances[cloud];
-    const scene::LitArchetype& lit = scene.lit[instance.lit];
-    const scene::Archetype& archetype = scene.archetypes[lit.archetype];
-    const Drawn drawn = drawnAt(losses[lit.archetype], instance.scale, detail.errorMeters);
-    if (drawn == Drawn::OnePuff && detail.errorMeters > 0) {
-      out.push_back(onePuffOf(scene, cloud));
-      continue;
-    }
-    const auto& puffs = drawn == Drawn::FewPuffs ? archetype.farPuffs : archetype.puffs;
-    const auto& lights = drawn == Drawn::FewPuffs ? lit.farPuffs : lit.puffs;
-    const float covering = drawn == Drawn::FewPuffs ? archetype.farCovering : archetype.covering;
-    for (std::size_t p = 0; p < lights.size(); ++p)
-      out.push_back({scene::placed(scene, instance, puffs[p]), lightOf(scene, instance, lights[p]),
-                     archetype.genus, covering});
-  }
-  return out;
+  auto puffs = detail.cellMeters > 0 ? joinedClouds(scene, clouds, detail.cellMeters)
+                                     : puffsOfEach(scene, clouds, detail.errorMeters);
+  return detail.errorMeters > 0 ? mergedWithin(std::move(puffs), detail.errorMeters) : puffs;
 }
 
 }  // namespace cloudgen::writer::tiles3d

@@ -14,7 +14,7 @@ namespace cloudgen::writer::tiles3d {
 using Clouds = std::span<const std::uint32_t>;
 
 /// How coarsely a tile draws its clouds. A cloud is all of its puffs, a handful, or one, whichever is the
-/// coarsest whose puffs are no wider than `errorMeters`. With a cell, clouds that are one puff and stand in
+/// coarsest whose puffs are no wider than `errorMeters` (one: than half of it). With a cell, clouds that are one puff and stand in
 /// one cell of the ground and one band of height are drawn as one.
 struct Detail {
   double errorMeters = 0;  ///< 0: all puffs; the visible width of the widest puff that stands for others
@@ -34,7 +34,7 @@ struct LitPuff {
 Detail detailWithin(const scene::Scene& scene, Clouds clouds, std::size_t budget, double leastErrorMeters);
 
 /// The puffs of the clouds at that detail, by cloud (or cell), those that are too thin to be seen left out.
-/// Joined clouds cover what they cover together if they overlap at random.
+/// Joined clouds cover what they cover together if they overlap at random. But at full detail, mergedWithin() the error.
 std::vector<LitPuff> puffsAt(const scene::Scene& scene, Clouds clouds, const Detail& detail);
 
 }  // namespace cloudgen::writer::tiles3d

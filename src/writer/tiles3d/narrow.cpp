@@ -24,7 +24,8 @@ struct Lattice {
 /// n s2 together.
 Lattice latticeOf(float sigma) {
   constexpr float kFaintest = 0.02f;  // share, to the largest, below which a node is left out
-  if (sigma <= kMostSigmaMeters) return {sigma, {{}}};
+  constexpr float kLittleMore = 1.25f;  // is drawn narrower: two pieces an axis for that would be eight in all
+  if (sigma <= kLittleMore * kMostSigmaMeters) return {std::min(sigma, kMostSigmaMeters), {{}}};
   const float ratio = sigma / kMostSigmaMeters;
   const int tosses = static_cast<int>(std::ceil(ratio * ratio)) - 1;
   const float spread = std::sqrt(sigma * sigma - kMostSigmaMeters * kMostSigmaMeters);
@@ -58,7 +59,6 @@ std::size_t narrowCount(const shape::Puff& puff) {
 void appendNarrow(const LitPuff& lit, std::vector<LitPuff>& out) {
   const auto [x, y, z] = latticesOf(lit.puff);
   const std::size_t first = out.size();
-  if (x.nodes.size() * y.nodes.size() * z.nodes.size() == 1) return out.push_back(lit);
   const glm::vec3 sigma(x.sigmaMeters, y.sigmaMeters, z.sigmaMeters);
   const float denser = lit.puff.sigma.x * lit.puff.sigma.y * lit.puff.sigma.z / (sigma.x * sigma.y * sigma.z);
   float most = 0;

@@ -80,8 +80,9 @@ std::vector<std::string> extensionsOf(TileContent content) {
 
 TileContent chosenContent(const scene::Scene& scene, const TileTree& tree) {
   constexpr std::size_t kMostTimes = 2;
-  if (tree.nodes.empty()) return TileContent::Packed;
-  const TileNode& root = tree.nodes.front();
+  const auto found = std::ranges::find(tree.nodes, 0, &TileNode::coarser);
+  if (found == tree.nodes.end()) return TileContent::Packed;
+  const TileNode& root = *found;
   const auto puffs = puffsAt(scene, tree.cloudsOf(root), root.detail);
   std::size_t pieces = 0;
   for (const LitPuff& lit : puffs) pieces += narrowCount(shape::widenedAcross(lit.puff, lit.covering));

@@ -11,6 +11,8 @@
 #include "base/thread.hpp"
 #include "writer/copy_textures.hpp"
 #include "writer/gltf/scene_extras.hpp"
+#include "writer/tiles3d/merging.hpp"
+#include "writer/tiles3d/narrow.hpp"
 #include "writer/tiles3d/tile_content.hpp"
 
 namespace cloudgen::writer {
@@ -134,8 +136,10 @@ void writeTiles(const scene::Scene& scene, const Destination& destination) {
   std::filesystem::create_directories(folder, error);
   if (error)
     throw base::OutputError(folder.string(), "cannot be made: " + error.message(), "check the output folder");
-  TileTree tree = tileTree(scene);
   TileStyle style{destination.tiles.content, destination.splats.degree, destination.tiles.gzip, {}};
+  TileTree tree = style.content == TileContent::Splats
+                      ? tileTree(scene)
+                      : tileTree(scene, kMostPuffsOfTile, kVisibleSigmas * static_cast<double>(kMostSigmaMeters));
   if (style.content == TileContent::Auto) style.content = chosenContent(scene, tree);
   if (style.content == TileContent::Cards) {
     style.atlases = copyTextures(scene, destination.folder);

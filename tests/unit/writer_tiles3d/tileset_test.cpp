@@ -85,7 +85,7 @@ TEST_P(TilesOnTheGlobe, EveryPuffIsWithinAMeterOfTheModelsPlace) {
       ++visible;
       expected += shape::extinctionArea(puff);
       // What is too wide for CesiumJS is several splats around its place.
-      if (content == TileContent::Packed && puff.sigma.x > 200) continue;
+      if (content == TileContent::Packed && puff.sigma.x > 100) continue;
       const glm::dvec3 earth = byProj(puff.center);
       EXPECT_TRUE(std::ranges::any_of(splats, [&](const check::GlobeSplat& splat) {
         return glm::distance(splat.center, earth) < 1;
@@ -146,7 +146,7 @@ TEST(Tiles, PuffsKeepTheirBearingAndStandUpright) {
   // One long fibre far from the middle of a wide map, pointing along the map's x.
   scene::Scene scene = test::gltfScene(10, 1, {-130, 20, -60, 55});
   shape::Puff puff;
-  puff.sigma = {200, 5, 20};
+  puff.sigma = {100, 5, 20};
   puff.extinctionPerMeter = 0.01f;
   scene.archetypes = {scene.archetypes[0]};
   scene.archetypes[0].puffs = {puff};
