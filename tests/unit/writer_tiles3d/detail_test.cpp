@@ -82,7 +82,7 @@ TEST(Merging, FromAfarACloudIsFewerAndWiderPuffsThatCoverTheSameGround) {
       puff.center -= glm::vec3(middle.x, 0, middle.y);
       const shape::PlanGaussian plan = shape::planOf(puff);
       const double depth = shape::extinctionArea(puff) / (2 * std::numbers::pi * std::sqrt(plan.determinant()));
-      raster.visit(plan, [&](float& sum, double q) { sum += static_cast<float>(depth * std::exp(-0.5 * q)); });
+      raster.add(plan, [depth](double gaussian) { return depth * gaussian; });
     }
     double hidden = 0;
     for (const float depth : raster.values()) hidden += -std::expm1(-static_cast<double>(depth));
