@@ -140,6 +140,7 @@ void setMotions(const std::vector<Passage>& passages, const std::vector<CloudsOf
       scene.keySeconds.push_back(start + passage.seconds * i / passage.intervals);
     keyOfTime.push_back(static_cast<std::uint32_t>(scene.keySeconds.size() - 1));
   }
+  for (const std::uint32_t key : keyOfTime) scene.timeSeconds.push_back(scene.keySeconds[key]);
   for (std::size_t k = 0; k < clouds.size(); ++k)
     for (std::uint32_t cloud = 0; cloud < clouds[k].clouds.size(); ++cloud) {
       scene::Motion motion;

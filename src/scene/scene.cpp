@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <numbers>
@@ -77,6 +78,20 @@ std::vector<Instance> instancesAt(const Scene& scene, double seconds) {
     cloud.opticalDepthFactor *= a->presence + share * (b->presence - a->presence);
   }
   return instances;
+}
+
+Scene standingAt(const Scene& scene, double seconds) {
+  Scene still = scene;
+  still.validTime.seconds += std::llround(seconds);
+  still.keySeconds.clear(), still.timeSeconds.clear(), still.motions.clear();
+  still.instances.clear(), still.clouds.clear();
+  const std::vector<Instance> moved = instancesAt(scene, seconds);
+  for (std::size_t i = 0; i < moved.size(); ++i) {
+    if (!(moved[i].opticalDepthFactor > 0)) continue;
+    still.instances.push_back(moved[i]);
+    if (i < scene.clouds.size()) still.clouds.push_back(scene.clouds[i]);
+  }
+  return still;
 }
 
 float groundAt(const Scene& scene, double x, double z) {

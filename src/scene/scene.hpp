@@ -109,6 +109,7 @@ struct Scene {
   base::HeightField terrain;       ///< its border lies at groundHeightMeters
   light::ShadowPlane shadows;      ///< of all clouds, where they fall on the ground
   std::vector<double> keySeconds;  ///< of a sky that moves: from validTime on, ascending; else empty
+  std::vector<double> timeSeconds;  ///< those of keySeconds that are times of the forecast
   std::vector<Motion> motions;     ///< one an instance, or none
 };
 
@@ -121,6 +122,9 @@ shape::Puff placed(const Scene& scene, const Instance& instance, const shape::Pu
 /// The instances as they stand at a time of a sky that moves, those that are not there with an optical depth
 /// of 0. Times before the first key and after the last are taken there.
 std::vector<Instance> instancesAt(const Scene& scene, double seconds);
+
+/// The scene of a time of a sky that moves: it stands still, without the clouds that are not there. Light as at first.
+Scene standingAt(const Scene& scene, double seconds);
 
 /// Yaw of a step, radians.
 float yawRadians(int yawStep);

@@ -31,7 +31,7 @@ std::span<const Format> formats() {
       {"ply", "Gaussian splats as splat tools read them", {"scene.splats.ply"}, writePly, true},
       {"glb", "core glTF 2.0: instanced crossed cards", {"scene.glb"}, writeCards, false, false, kMostMovingNodes},
       {"pack", "realtime runtime pack (FlatBuffers)", {"scene.cgpack"}, writePack, false, false, SIZE_MAX},
-      {"tiles", "3D Tiles 1.1: a quadtree of splats or cards on the globe", {"tileset.json"}, writeTiles, true},
+      {"tiles", "3D Tiles 1.1: a quadtree of splats or cards on the globe", {"tileset.json"}, writeTiles, true, false, SIZE_MAX},
       {"impostors", "pictures of each cloud from all sides, with depth", {"impostors.json"}, writeImpostors, true},
       {"page", "a page that opens in any browser (shows the pack)", {"index.html"}, writePage, false, true},
   };

@@ -73,6 +73,25 @@ TEST_F(Moving, IsVerifiedAtAnyOfItsTimes) {
   }
 }
 
+/// The formats that viewers play, too.
+TEST_F(Moving, SceneFilesAreVerifiedAtAnyOfItsTimes) {
+  const Ran built = runCloudgen({"build", forecast, "--bbox=-32,52,-26,56", "--time", "all", "--sun", "200,40", "--max-puffs", "2000", "--formats",
+                                 "x3d,splats,glb,tiles", "-o", out});
+  ASSERT_EQ(built.exitCode, 0) << built.err;
+  EXPECT_EQ(built.err.find("hold the first time"), std::string::npos) << built.err;
+  const auto verified = [&](const std::string& format, const std::string& time) {
+    return runCloudgen({"verify", out, "--against", forecast, "--time", time, "--format", format, "--no-maps", "--json"});
+  };
+  for (const std::string format : {"x3d", "glb", "tiles"})
+    for (const std::string time : {"2019-01-01T01:00Z", "2019-01-01T06:00Z", "2019-01-01T12:00Z"}) {
+      const json found = json::parse(verified(format, time).out);
+      EXPECT_NEAR(found.at("cover").at("total").at("bias").get<double>(), 0, 0.01) << format << " at " << time;
+      EXPECT_NEAR(found.at("optical_depth").at("bias_relative").get<double>(), 0, 0.08) << format << " at " << time;
+    }
+  EXPECT_EQ(verified("splats", "2019-01-01T06:00Z").exitCode, 1);
+  EXPECT_EQ(verified("tiles", "2019-01-01T06:30Z").exitCode, 1);
+}
+
 TEST_F(Moving, WithoutTimeTheFirstIsBuilt) {
   const Ran built = build({"--json"});
   ASSERT_EQ(built.exitCode, 0) << built.err;

@@ -11,6 +11,7 @@ namespace cloudgen::test {
 /// which is the next and stays an hour more; and born between the second hour and the third. All go east and turn north.
 inline scene::Scene moving(scene::Scene scene) {
   scene.keySeconds = {0, 1800, 3600, 5400, 7200};
+  scene.timeSeconds = {0, 3600, 7200};
   struct Life {
     std::uint32_t firstKey;
     std::vector<float> growths, presences;

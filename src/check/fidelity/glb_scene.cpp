@@ -24,7 +24,7 @@ void addNode(const MeshNode& node, const std::string& where, WrittenScene& scene
   if (cards.size() > 0 && node.places.size() > (kMostCards - scene.blobs.size()) / cards.size())
     throw base::InputError(where, "draws more cards than can be read", "is it a scene of cloudgen?");
   for (const MeshPlace& place : node.places) {
-    if (place.axes == glm::mat3(0)) continue;  // its time is not the first of a sky that moves
+    if (place.axes == glm::mat3(0)) continue;  // not at this time of a sky that moves
     for (const Card& card : cards) {
       Blob blob = cardBlob(place.shift + place.axes * card.center, place.axes * card.right / kCardReach,
                            place.axes * card.up / kCardReach, card.opticalDepth);
@@ -38,16 +38,16 @@ void addNode(const MeshNode& node, const std::string& where, WrittenScene& scene
 
 }  // namespace
 
-WrittenScene readGlbScene(const std::filesystem::path& file) {
-  WrittenScene scene = readGlbScene(base::readFile(file), file.string());
+WrittenScene readGlbScene(const std::filesystem::path& file, double seconds) {
+  WrittenScene scene = readGlbScene(base::readFile(file), file.string(), seconds);
   scene.file = file.filename().string();
   return scene;
 }
 
-WrittenScene readGlbScene(std::string_view bytes, const std::string& where) {
+WrittenScene readGlbScene(std::string_view bytes, const std::string& where, double seconds) {
   constexpr float kMostOpaque = 1 - 0.5f / 65535;  // opacities are whole shares of 65535
   WrittenScene scene{where, "glb", {}, {}, {}, 0};
-  readPictureMeshes(bytes, where, [&](const MeshNode& node) { addNode(node, where, scene); });
+  readPictureMeshes(bytes, where, [&](const MeshNode& node) { addNode(node, where, scene); }, seconds);
   boundSaturated(scene, kMostOpaque);
   return scene;
 }

@@ -63,7 +63,8 @@ WrittenScene readTileScene(const std::filesystem::path& file, const base::LocalF
 /// without sprites are no clouds. Files that it inlines are read where they lie in its folder or below; a
 /// Switch with an Inline shows that, as it does once a viewer is near.
 /// Throws InputError where a file is no XML, or it is no such scene, or what it inlines is not there.
-WrittenScene readX3dScene(const std::filesystem::path& file, const base::Progress& progress);
+/// Of a sky that moves: so many seconds after its valid time.
+WrittenScene readX3dScene(const std::filesystem::path& file, const base::Progress& progress, double seconds = 0);
 
 /// The same from bytes, without what they inline; `where` names them in messages.
 WrittenScene readX3dScene(std::string_view bytes, const std::string& where);
@@ -73,9 +74,10 @@ WrittenScene readX3dScene(std::string_view bytes, const std::string& where);
 /// its opacity the mean of theirs (COLOR_0), its falling off and its optical depth as in X3D; or they are the relief
 /// of a cloud, whose cells are cards of the optical depth that they state (_VERTICAL_OPTICAL_DEPTH). Each instance
 /// is a cloud, its record the genus in the node's extras. Throws InputError where the file is something else.
-WrittenScene readGlbScene(const std::filesystem::path& file);
+/// Of a sky that moves: so many seconds after its valid time.
+WrittenScene readGlbScene(const std::filesystem::path& file, double seconds = 0);
 
 /// The same from bytes; `where` names them in messages.
-WrittenScene readGlbScene(std::string_view bytes, const std::string& where);
+WrittenScene readGlbScene(std::string_view bytes, const std::string& where, double seconds = 0);
 
 }  // namespace cloudgen::check

@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "check/fidelity/card_scene.hpp"
+#include "check/fidelity/x3d_film.hpp"
 #include "check/rules/numbers.hpp"
 #include "check/tiles3d/content_path.hpp"
 #include "check/xsd/xml_parser.hpp"
@@ -79,7 +80,8 @@ std::optional<base::Genus> genusOfSprites(std::string_view url) {
 /// The nodes of a scene and of the files that it inlines, each of which is read once.
 class Library {
  public:
-  explicit Library(const base::Progress& progress) : progress_(progress) {}
+  /// As the scene is so many seconds of the forecast after its start.
+  Library(double seconds, const base::Progress& progress) : seconds_(seconds), progress_(progress) {}
 
   /// Adds a document's nodes. `folder` is what its Inlines are named from; without one they stay empty.
   /// Returns the node of its Scene, or kNone.
@@ -90,6 +92,7 @@ class Library {
   std::vector<CardNode> nodes;
 
  private:
+  double seconds_;
   const base::Progress& progress_;
   std::map<std::string, std::uint32_t> files_;
   int depth_ = 0;
@@ -104,6 +107,7 @@ class Reader {
   void start(std::string_view name, Attributes attributes) {
     Element element{std::string(name), std::string(value(attributes, "DEF")), kNone};
     const std::string use(value(attributes, "USE"));
+    film_.take(name, attributes);
     if (const auto kind = kindOf(name, attributes)) {
       element.node = use.empty() ? addNode(*kind, name, attributes) : find(use);
       if (!use.empty()) element.name.clear();
@@ -152,6 +156,7 @@ class Reader {
   }
 
   std::uint32_t scene() const { return scene_; }
+  void pose(double seconds) { film_.pose(seconds, named_, nodes_); }
 
  private:
   struct Element {
@@ -272,6 +277,7 @@ class Reader {
   const fs::path* folder_;
   std::uint32_t scene_ = kNone;
   std::vector<Element> open_;
+  X3dFilm film_;
   std::map<std::string, std::uint32_t> named_;
   std::map<std::string, std::optional<base::Genus>> looks_, textures_;
   std::optional<base::Genus> look_, shapeLook_;
@@ -289,6 +295,7 @@ std::uint32_t Library::read(ByteSource& source, const std::string& where, const 
   parseXml(source, visitor, findings, progress_);
   if (!result.findings.empty())
     throw base::InputError(where, result.findings.front().message, "see `cloudgen validate`");
+  if (seconds_ != 0) reader.pose(seconds_);
   return reader.scene();
 }
 
@@ -311,8 +318,8 @@ std::uint32_t Library::inlined(const std::string& url, const std::string& where,
 }
 
 WrittenScene read(ByteSource& source, const std::string& where, const std::string& name,
-                  const fs::path* folder, const base::Progress& progress) {
-  Library library(progress);
+                  const fs::path* folder, double seconds, const base::Progress& progress) {
+  Library library(seconds, progress);
   library.read(source, where, folder);
   WrittenScene scene{name, "x3d", {}, {}, {}, 0};
   flatten(library.nodes, where, scene);
@@ -323,15 +330,15 @@ WrittenScene read(ByteSource& source, const std::string& where, const std::strin
 
 }  // namespace
 
-WrittenScene readX3dScene(const fs::path& file, const base::Progress& progress) {
+WrittenScene readX3dScene(const fs::path& file, const base::Progress& progress, double seconds) {
   ByteSource source(file);
   const fs::path folder = file.parent_path();
-  return read(source, file.string(), file.filename().string(), &folder, progress);
+  return read(source, file.string(), file.filename().string(), &folder, seconds, progress);
 }
 
 WrittenScene readX3dScene(std::string_view bytes, const std::string& where) {
   ByteSource source(bytes);
-  return read(source, where, where, nullptr, {});
+  return read(source, where, where, nullptr, 0, {});
 }
 
 }  // namespace cloudgen::check

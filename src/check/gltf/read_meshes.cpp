@@ -5,6 +5,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <nlohmann/json.hpp>
 
+#include "check/gltf/film_pose.hpp"
 #include "check/gltf/glb_parts.hpp"
 
 namespace cloudgen::check {
@@ -102,10 +103,11 @@ std::vector<PictureMesh> partsOf(const GlbParts& glb, const json& mesh) {
 }  // namespace
 
 void readPictureMeshes(std::string_view bytes, const std::string& where,
-                       const std::function<void(const MeshNode&)>& visit) {
+                       const std::function<void(const MeshNode&)>& visit, double seconds) {
   const GlbParts glb(bytes, where, "name a scene.glb that cloudgen wrote, or its folder");
   try {
-    for (const json& node : glb.root().value("nodes", json::array())) {
+    const json nodes = seconds != 0 ? nodesAt(glb, seconds) : glb.root().value("nodes", json::array());
+    for (const json& node : nodes) {
       if (!node.contains("mesh")) continue;
       MeshNode read{partsOf(glb, glb.root().at("meshes").at(node["mesh"].get<std::size_t>())), {}, {}};
       if (read.parts.empty()) continue;

@@ -42,8 +42,9 @@ struct MeshNode {
 };
 
 /// Hands over the nodes of a GLB file that draw blended pictures; they stand in no other node and are placed by no matrix. Throws
-/// InputError, naming `where`, if the file is something else or reaches outside its bounds.
+/// InputError, naming `where`, if the file is something else or reaches outside its bounds. `seconds`: after the valid
+/// time of a sky that moves.
 void readPictureMeshes(std::string_view bytes, const std::string& where,
-                       const std::function<void(const MeshNode&)>& visit);
+                       const std::function<void(const MeshNode&)>& visit, double seconds = 0);
 
 }  // namespace cloudgen::check

@@ -113,11 +113,13 @@ Json emptyRoot(const scene::Scene& scene) {
   return {{"boundingVolume", {{"region", region.bounds()}}}, {"geometricError", 0}, {"refine", "REPLACE"}};
 }
 
-Json tilesetOf(const scene::Scene& scene, const TilesetTree& tree, double rootError, TileContent content) {
+Json tilesetOf(const scene::Scene& scene, const TilesetTree& tree, double rootError, TileContent content,
+               const Json& times) {
   const glm::dvec2 extent = scene.frame.upperCorner() - scene.frame.lowerCorner();
   const auto extensions = extensionsOf(content);
   Json tileset;
   tileset["asset"] = {{"version", "1.1"}, {"generator", "cloudgen"}, {"extras", gltf::sceneExtras(scene)}};
+  if (!times.empty()) tileset["asset"]["extras"]["times"] = times;
   tileset["geometricError"] = std::max(std::hypot(extent.x, extent.y), 2 * rootError);
   tileset["extensionsUsed"] = {"3DTILES_content_gltf"};
   tileset["extensions"]["3DTILES_content_gltf"] = {{"extensionsUsed", extensions}};
@@ -128,9 +130,8 @@ Json tilesetOf(const scene::Scene& scene, const TilesetTree& tree, double rootEr
   return tileset;
 }
 
-}  // namespace
-
-void writeTiles(const scene::Scene& scene, const Destination& destination) {
+/// `times`: the tilesets of a sky that moves, or nothing.
+void writeTileset(const scene::Scene& scene, const Destination& destination, const Json& times) {
   const auto folder = destination.folder / kFolder;
   std::error_code error;
   std::filesystem::create_directories(folder, error);
@@ -155,9 +156,36 @@ void writeTiles(const scene::Scene& scene, const Destination& destination) {
   }
   const double rootError = tree.nodes.empty() ? 0 : tree.nodes.front().detail.errorMeters;
   const std::string tileset =
-      tilesetOf(scene, TilesetTree(tree, written), rootError, style.content).dump() + "\n";
+      tilesetOf(scene, TilesetTree(tree, written), rootError, style.content, times).dump() + "\n";
   base::writeFile(destination.folder / "tileset.json", style.gzip ? base::gzipped(tileset) : tileset);
   destination.progress.step("tiles", 1);
+}
+
+/// "hours/20050828T1500Z", a folder beside the first tileset.
+std::string folderOf(base::UtcTime time) {
+  std::string name;
+  for (const char c : base::isoText(time).substr(0, 16))
+    if (c != '-' && c != ':') name += c;
+  return fmt::format("hours/{}Z", name);
+}
+
+}  // namespace
+
+void writeTiles(const scene::Scene& scene, const Destination& destination) {
+  if (scene.timeSeconds.empty()) return writeTileset(scene, destination, {});
+  std::vector<std::string> folders;
+  Json times = Json::array();
+  for (const double seconds : scene.timeSeconds) {
+    const base::UtcTime time{scene.validTime.seconds + std::llround(seconds)};
+    folders.push_back(folders.empty() ? "" : folderOf(time));
+    times.push_back({{"valid_time", base::isoText(time)},
+                     {"uri", (std::filesystem::path(folders.back()) / "tileset.json").generic_string()}});
+  }
+  for (std::size_t k = 0; k < folders.size(); ++k) {
+    Destination there = destination;
+    there.folder /= folders[k];
+    writeTileset(scene::standingAt(scene, scene.timeSeconds[k]), there, k == 0 ? times : Json());
+  }
 }
 
 }  // namespace cloudgen::writer

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "support/gltf_scene.hpp"
+#include "support/moving_scene.hpp"
 
 namespace cloudgen::scene {
 namespace {
@@ -90,6 +91,22 @@ TEST(Tiles, BoxesHoldThePuffsHoweverTheCloudIsTurned) {
         EXPECT_TRUE(glm::all(glm::greaterThanEqual(center, tile.lower)) &&
                     glm::all(glm::lessThanEqual(center, tile.upper)));
       }
+}
+
+TEST(StandingAt, HasTheCloudsOfItsTimeAndTheirRecords) {
+  Scene scene = test::gltfScene();
+  for (std::uint32_t i = 0; i < scene.instances.size(); ++i) scene.clouds.resize(i + 1), scene.clouds[i].id = i;
+  scene = test::moving(std::move(scene));
+  const Scene still = standingAt(scene, 3600);
+  EXPECT_EQ(still.validTime.seconds, scene.validTime.seconds + 3600);
+  EXPECT_TRUE(still.keySeconds.empty() && still.timeSeconds.empty() && still.motions.empty());
+  ASSERT_EQ(still.clouds.size(), still.instances.size());
+  const auto moved = instancesAt(scene, 3600);
+  std::size_t there = 0;
+  for (const Instance& cloud : moved) there += cloud.opticalDepthFactor > 0;
+  EXPECT_EQ(still.instances.size(), there);
+  for (std::size_t i = 0; i < still.instances.size(); ++i)
+    EXPECT_EQ(still.instances[i].position, moved[still.clouds[i].id].position);
 }
 
 TEST(Tiles, NoCloudsNoTiles) {

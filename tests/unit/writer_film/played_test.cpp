@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <glm/geometric.hpp>
 #include <regex>
 
 #include "base/file.hpp"
 #include "base/text.hpp"
 #include "check/catalogue.hpp"
+#include "check/fidelity/written_scene.hpp"
 #include "runtime/timeline.hpp"
 #include "support/glb_reader.hpp"
 #include "support/made_pack.hpp"
@@ -154,6 +156,26 @@ TEST_F(Played, WhatIsWrittenIsValid) {
     EXPECT_EQ(std::system(command.c_str()), 0) << entry.path();
   }
   EXPECT_GE(files, 4u);
+}
+
+/// `verify` sees the clouds of a time where they are.
+TEST_F(Played, ReadersSeeTheCloudsOfATime) {
+  writeX3d(scene_, destination());
+  writeCards(scene_, destination());
+  const auto feetOf = [](const check::WrittenScene& written) {
+    std::vector<glm::vec3> feet;
+    for (const check::WrittenCloud& cloud : written.clouds) feet.push_back(cloud.foot);
+    std::ranges::sort(feet, {}, [](const glm::vec3& foot) { return std::tuple(std::round(foot.x), foot.z); });
+    return feet;
+  };
+  for (const double seconds : {0.0, 1800.0, 4500.0, 5400.0}) {
+    const auto wanted = feetOf(check::readPackScene(bytes_, "moving.cgpack", seconds));
+    for (const auto& read : {feetOf(check::readX3dScene(folder_.path() / "scene.x3d", {}, seconds)),
+                             feetOf(check::readGlbScene(folder_.path() / "scene.glb", seconds))}) {
+      ASSERT_EQ(read.size(), wanted.size()) << seconds;
+      for (std::size_t i = 0; i < wanted.size(); ++i) EXPECT_LT(glm::distance(read[i], wanted[i]), 0.2f) << seconds;
+    }
+  }
 }
 
 TEST_F(Played, ASkyThatStandsStillHasNoClock) {

@@ -14,6 +14,7 @@
 #include "check/tiles3d/validate_tileset.hpp"
 #include "shape/blending.hpp"
 #include "support/gltf_scene.hpp"
+#include "support/moving_scene.hpp"
 #include "support/scratch.hpp"
 #include "writer/gltf/splat.hpp"
 #include "writer/tiles3d/tiles3d.hpp"
@@ -237,6 +238,36 @@ TEST(Tiles, AreCardsWhereCesiumWouldLeaveOutSplats) {
   EXPECT_NE(extensionsOf(scene).find("spz"), std::string::npos);
   for (scene::Instance& cloud : scene.instances) cloud.scale *= 20;
   EXPECT_NE(extensionsOf(scene).find("unlit"), std::string::npos);
+}
+
+/// Each tileset of a sky that moves holds the puffs of its time where that has them.
+TEST(Tiles, ASkyThatMovesIsATilesetATime) {
+  const scene::Scene scene = test::moving(test::gltfScene(40));
+  const test::Scratch folder;
+  writeTiles(scene, {.folder = folder.path(), .tiles = {TileContent::Splats}});
+  const ByProj byProj(scene.frame);
+  const Json times = Json::parse(base::readFile(folder.path() / "tileset.json"))["asset"]["extras"]["times"];
+  ASSERT_EQ(times.size(), 3u);
+  EXPECT_EQ(times[1]["valid_time"], "2026-06-21T15:00:00Z");
+  EXPECT_EQ(times[1]["uri"], "hours/20260621T1500Z/tileset.json");
+  for (std::size_t hour = 0; hour < times.size(); ++hour) {
+    const auto file = folder.path() / times[hour]["uri"].get<std::string>();
+    EXPECT_EQ(findingsOf(file.parent_path()), "");
+    std::vector<check::GlobeSplat> splats;
+    check::readTiles(file, {}, [&](const check::GlobeSplat& splat) { splats.push_back(splat); });
+    const scene::Scene still = scene::standingAt(scene, 3600.0 * static_cast<double>(hour));
+    EXPECT_LT(still.instances.size(), scene.instances.size());
+    std::size_t visible = 0;
+    for (const scene::Instance& instance : still.instances)
+      for (const shape::Puff& own : still.archetypes[still.lit[instance.lit].archetype].puffs) {
+        const shape::Puff puff = scene::placed(still, instance, own);
+        if (gltf::splatOpacity(shape::widenedAcross(puff)) < gltf::kLeastOpacity) continue;
+        ++visible;
+        const glm::dvec3 earth = byProj(puff.center);
+        EXPECT_TRUE(std::ranges::any_of(splats, [&](const auto& splat) { return glm::distance(splat.center, earth) < 1; })) << hour;
+      }
+    EXPECT_EQ(splats.size(), visible);
+  }
 }
 
 TEST(Tiles, NoCloudsAreAValidTileset) {
