@@ -31,7 +31,8 @@ struct BuildLine {
   double typingWindowMinutes = 180;
   std::uint64_t seed = 1, maxPuffs = 200'000;
   int threads = 0, splatDegree = 1;
-  bool overwrite = false, json = false, verify = false, tilesGzip = false, glbNodes = false;
+  bool overwrite = false, json = false, verify = false, tilesGzip = false, glbNodes = false,
+       splatQuantize = false;
 };
 
 void refuseWhatIsNotBuilt(const BuildLine& line) {
@@ -149,7 +150,7 @@ int build(const BuildLine& line, const Terminal& terminal) {
   watch.lap("pipeline");
   writer::Destination destination{folder.path(), progress};
   destination.tiles = {tileContents().at(line.tiles), line.tilesGzip};
-  destination.splats.degree = line.splatDegree;
+  destination.splats = {line.splatDegree, line.splatQuantize};
   destination.cards.singly = line.glbNodes;
   const auto write = [&](bool showingVerification) {
     for (const writer::Format* format : formats) {
@@ -258,6 +259,8 @@ std::function<int()> setupBuild(CLI::App& options, const Terminal& terminal) {
                   "harmonics of splats: 0 (one colour from all sides), 1, or 2 (sharper towards the sun)")
       ->check(CLI::Range(0, 2))
       ->capture_default_str();
+  options.add_flag("--splat-quantize", line->splatQuantize,
+                   "scene.splats.glb in shorts and bytes (KHR_mesh_quantization): about half as large");
   options.add_option("--shard", line->shard, "I/N: only a share of the tiles (not built yet)");
   options.add_option("--max-memory", line->maxMemory, "limit of memory (not built yet)");
   const auto config = std::make_shared<std::string>();
