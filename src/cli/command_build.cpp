@@ -32,7 +32,8 @@ struct BuildLine {
   double typingWindowMinutes = 180;
   std::uint64_t seed = 1, maxPuffs = 200'000;
   int threads = 0, splatDegree = 1;
-  bool overwrite = false, json = false, verify = false, tilesGzip = false, glbNodes = false;
+  bool overwrite = false, json = false, verify = false, tilesGzip = false, glbNodes = false,
+       splatQuantize = false;
 };
 
 void refuseWhatIsNotBuilt(const BuildLine& line) {
@@ -188,7 +189,7 @@ int build(const BuildLine& line, const Terminal& terminal) {
   watch.lap("pipeline");
   writer::Destination destination{folder.path(), progress};
   destination.tiles = {tileContents().at(line.tiles), line.tilesGzip};
-  destination.splats.degree = line.splatDegree;
+  destination.splats = {line.splatDegree, line.splatQuantize};
   destination.cards.singly = line.glbNodes;
   destination.flight = flight;
   const auto write = [&](bool showingVerification) {
@@ -301,6 +302,8 @@ std::function<int()> setupBuild(CLI::App& options, const Terminal& terminal) {
                   "harmonics of splats: 0 (one colour from all sides), 1, or 2 (sharper towards the sun)")
       ->check(CLI::Range(0, 2))
       ->capture_default_str();
+  options.add_flag("--splat-quantize", line->splatQuantize,
+                   "scene.splats.glb in shorts and bytes (KHR_mesh_quantization): about half as large");
   options.add_option(
       "--fly", line->fly,
       "LATITUDE,LONGITUDE,METRES;...: X3D and VRML get a viewpoint that flies along these places");

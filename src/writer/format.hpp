@@ -26,7 +26,8 @@ struct TilesOptions {
 };
 
 struct SplatOptions {
-  int degree = 1;  ///< of the spherical harmonics, 0 to 2: how sharply clouds brighten towards the sun
+  int degree = 1;         ///< of the spherical harmonics, 0 to 2: how sharply clouds brighten towards the sun
+  bool quantize = false;  ///< scene.splats.glb in shorts and bytes
 };
 
 struct CardOptions {

@@ -11,7 +11,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int kByte = 5121, kShort = 5123, kInteger = 5125, kFloat = 5126;
+constexpr int kSignedByte = 5120, kByte = 5121, kSignedShort = 5122, kShort = 5123, kInteger = 5125, kFloat = 5126;
 constexpr std::size_t kHeaderBytes = 12, kChunkHeaderBytes = 8;
 
 std::uint32_t unsignedAt(const char* bytes, std::size_t width) {
@@ -20,10 +20,15 @@ std::uint32_t unsignedAt(const char* bytes, std::size_t width) {
   return value;
 }
 
+int signedAt(const char* bytes, std::size_t width) {
+  const auto value = static_cast<int>(unsignedAt(bytes, width)), sign = 1 << (8 * width - 1);
+  return (value ^ sign) - sign;
+}
+
 /// Bytes of a component; 0 of a type that is not read.
 std::size_t widthOf(const json& componentType) {
-  if (componentType == kByte) return 1;
-  if (componentType == kShort) return 2;
+  if (componentType == kByte || componentType == kSignedByte) return 1;
+  if (componentType == kShort || componentType == kSignedShort) return 2;
   return componentType == kInteger || componentType == kFloat ? 4 : 0;
 }
 
@@ -51,16 +56,18 @@ GlbParts::~GlbParts() = default;
 
 void GlbParts::fail(const std::string& what) const { throw base::InputError(where_, what, hint_); }
 
-std::string_view GlbParts::bytesOf(const json& accessor, std::size_t components, std::size_t width) const {
+GlbParts::Tuples GlbParts::tuplesOf(const json& accessor, std::size_t components, std::size_t width) const {
   const json& view = root_->at("bufferViews").at(accessor.at("bufferView").get<std::size_t>());
   const auto count = accessor.at("count").get<std::size_t>();
   const auto offset = accessor.value("byteOffset", std::size_t{0}),
              start = view.value("byteOffset", std::size_t{0}) + offset;
-  if (width == 0 || view.contains("byteStride")) fail("has attributes that are not plain numbers");
-  if (start < offset || count > binary_.size() / width / components || start > binary_.size() ||
-      count * components * width > binary_.size() - start)
+  const std::size_t size = components * width, stride = view.value("byteStride", size);
+  if (width == 0 || stride < size) fail("has attributes that are not plain numbers");
+  if (start < offset || start > binary_.size() ||
+      (count > 0 && (count - 1 > (binary_.size() - start) / stride ||
+                     size > binary_.size() - start - (count - 1) * stride)))
     fail("has an accessor outside its binary chunk");
-  return binary_.substr(start, count * components * width);
+  return {binary_.data() + start, count, stride};
 }
 
 std::string_view GlbParts::view(std::size_t index) const {
@@ -74,30 +81,36 @@ std::string_view GlbParts::view(std::size_t index) const {
 std::vector<float> GlbParts::floats(std::size_t accessorIndex, std::size_t components) const {
   const json& accessor = root_->at("accessors").at(accessorIndex);
   const json& type = accessor.at("componentType");
-  const bool unit = (type == kByte || type == kShort) && accessor.value("normalized", false);
-  if (type != kFloat && !unit) fail("has attributes that are not plain numbers");
+  if (type == kInteger) fail("has attributes that are not plain numbers");
   const std::size_t width = widthOf(type);
-  const std::string_view bytes = bytesOf(accessor, components, width);
-  std::vector<float> values(bytes.size() / width);
-  if (values.empty()) return values;
-  if (!unit) {
-    std::memcpy(values.data(), bytes.data(), bytes.size());
-    return values;
-  }
-  const float whole = type == kByte ? 255 : 65535;
-  for (std::size_t i = 0; i < values.size(); ++i)
-    values[i] = static_cast<float>(unsignedAt(bytes.data() + i * width, width)) / whole;
+  const Tuples tuples = tuplesOf(accessor, components, width);
+  const bool isSigned = type == kSignedByte || type == kSignedShort, normalized = accessor.value("normalized", false);
+  const float whole = !normalized ? 1 : static_cast<float>((1u << (8 * width - (isSigned ? 1 : 0))) - 1);
+  std::vector<float> values;
+  values.reserve(tuples.count * components);
+  for (std::size_t i = 0; i < tuples.count; ++i)
+    for (std::size_t k = 0; k < components; ++k) {
+      const char* at = tuples.first + i * tuples.stride + k * width;
+      float value = 0;
+      if (type == kFloat)
+        std::memcpy(&value, at, width);
+      else if (isSigned)
+        value = std::max(-whole, static_cast<float>(signedAt(at, width))) / whole;
+      else
+        value = static_cast<float>(unsignedAt(at, width)) / whole;
+      values.push_back(value);
+    }
   return values;
 }
 
 std::vector<std::uint32_t> GlbParts::indices(std::size_t accessorIndex) const {
   const json& accessor = root_->at("accessors").at(accessorIndex);
   const json& type = accessor.at("componentType");
-  if (type == kFloat) fail("has indices that are not integers");
+  if (type != kByte && type != kShort && type != kInteger) fail("has indices that are not integers");
   const std::size_t width = widthOf(type);
-  const std::string_view bytes = bytesOf(accessor, 1, width);
-  std::vector<std::uint32_t> values(width ? bytes.size() / width : 0);
-  for (std::size_t i = 0; i < values.size(); ++i) values[i] = unsignedAt(bytes.data() + i * width, width);
+  const Tuples tuples = tuplesOf(accessor, 1, width);
+  std::vector<std::uint32_t> values(tuples.count);
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = unsignedAt(tuples.first + i * tuples.stride, width);
   return values;
 }
 

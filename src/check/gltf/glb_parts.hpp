@@ -21,7 +21,8 @@ class GlbParts {
   GlbParts& operator=(const GlbParts&) = delete;
 
   const nlohmann::json& root() const { return *root_; }
-  /// The values of an accessor of so many components each: floats, or normalized unsigned integers as 0..1.
+  /// The values of an accessor of so many components each: floats, or bytes and shorts, normalized ones as 0..1 or
+  /// -1..1.
   std::vector<float> floats(std::size_t accessor, std::size_t components) const;
   /// The values of an accessor of unsigned integers.
   std::vector<std::uint32_t> indices(std::size_t accessor) const;
@@ -31,8 +32,12 @@ class GlbParts {
   [[noreturn]] void fail(const std::string& what) const;
 
  private:
-  /// The bytes of an accessor whose components have the width of `componentType`.
-  std::string_view bytesOf(const nlohmann::json& accessor, std::size_t components, std::size_t width) const;
+  /// The elements of an accessor, all within the binary chunk.
+  struct Tuples {
+    const char* first = nullptr;
+    std::size_t count = 0, stride = 0;
+  };
+  Tuples tuplesOf(const nlohmann::json& accessor, std::size_t components, std::size_t width) const;
 
   std::string where_, hint_;
   std::string_view binary_;

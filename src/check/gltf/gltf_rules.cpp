@@ -70,7 +70,7 @@ void checkSplats(const Json& primitive, const ColumnOf& columnOf, const std::str
   // The columns of packed splats have types and counts, but no bytes of their own.
   const bool isPacked = member(extension, "extensions").contains(kPacked);
   std::vector<SplatColumn> columns{
-      {"ROTATION", 4, true}, {"SCALE", 3, false}, {"OPACITY", 1, true}, {"SH_DEGREE_0_COEF_0", 3, false}};
+      {"ROTATION", 4, true}, {"SCALE", 3, true}, {"OPACITY", 1, true}, {"SH_DEGREE_0_COEF_0", 3, false}};
   const auto columnAt = [&](const std::string& name) {
     return columnOf(fmt::format("{}:{}", kSplats, name));
   };
@@ -90,7 +90,8 @@ void checkSplats(const Json& primitive, const ColumnOf& columnOf, const std::str
     if (!elements && !isPacked)
       wrong(fmt::format("the splats have no {}", column.name), "the extension demands it");
     if (!elements || !elements->known) continue;
-    const bool isQuantised = column.mayBeInteger && elements->normalized && !elements->isFloat();
+    const bool isQuantised =
+        column.mayBeInteger && !elements->isFloat() && (elements->normalized || column.name == "SCALE");
     if (elements->components != column.components || (!elements->isFloat() && !isQuantised))
       wrong(fmt::format("{} is of a wrong type", column.name),
             column.mayBeInteger ? "use floats or normalized integers" : "use floats");

@@ -24,7 +24,7 @@ glm::vec3 triple(const std::vector<float>& values, std::size_t i) {
 /// it counts, unless that is another opacity.
 float opticalDepthOf(float opacity, float stated) {
   constexpr float kMostOpaque = 1 - 0x1p-24f;  // the last float before 1
-  constexpr float kAgreeing = 2e-4f;
+  constexpr float kAgreeing = 2e-4f;  // more than what shorts round by
   if (stated > 0 && std::isfinite(stated) && std::abs(-std::expm1(-stated) - opacity) < kAgreeing)
     return stated;
   return -std::log1p(-std::clamp(opacity, 0.0f, kMostOpaque));
@@ -92,7 +92,8 @@ void readPacked(const GlbParts& glb, const json& node, const json& packed, std::
     glb.fail("has packed splats of another number than it says");
 }
 
-void readPrimitive(const GlbParts& glb, const json& attributes, const Pose& pose,
+/// `depthStep`: _OPTICAL_DEPTH counts in it.
+void readPrimitive(const GlbParts& glb, const json& attributes, const Pose& pose, float depthStep,
                    const std::function<void(const ReadSplat&)>& visit) {
   const auto column = [&](const std::string& name, std::size_t components) {
     return glb.floats(attributes.at(name), components);
@@ -119,7 +120,7 @@ void readPrimitive(const GlbParts& glb, const json& attributes, const Pose& pose
     splat.rotation =
         glm::quat(rotations[4 * i + 3], rotations[4 * i], rotations[4 * i + 1], rotations[4 * i + 2]);
     splat.opacity = opacities[i];
-    splat.opticalDepth = opticalDepthOf(splat.opacity, stated.empty() ? 0 : stated[i]);
+    splat.opticalDepth = opticalDepthOf(splat.opacity, stated.empty() ? 0 : depthStep * stated[i]);
     splat.color = triple(base, i) * 0.2820947917738781f + 0.5f;
     for (std::size_t k = 0; hasDegree1 && k < 3; ++k) splat.harmonics[k] = triple(harmonics[k], i);
     visit(posed(splat, pose));
@@ -174,7 +175,8 @@ SplatFile readSplats(std::string_view bytes, const std::string& where,
           readPacked(glb, node, inner[kPacked], root.at("accessors").at(attributes.at("POSITION").get<std::size_t>()).at("count"),
                      pose, visit);
         else
-          readPrimitive(glb, attributes, pose, visit);
+          readPrimitive(glb, attributes, pose,
+                        node.value("extras", json::object()).value("optical_depth_step", 1.0f), visit);
       }
     }
     const json extras = root.value("asset", json::object()).value("extras", json::object());

@@ -14,9 +14,10 @@ namespace cloudgen::writer::gltf {
 namespace {
 
 /// Takes a splat into what a source tells of all.
-void take(SplatSource& source, const glm::vec3& center, float opticalDepth) {
+void take(SplatSource& source, const glm::vec3& center, const glm::vec3& sigma, float opticalDepth) {
   source.lower = glm::min(source.lower, center);
   source.upper = glm::max(source.upper, center);
+  source.mostSigma = std::max({source.mostSigma, sigma.x, sigma.y, sigma.z});
   source.dense |= opticalDepth > kOpaqueOpticalDepth;
 }
 
@@ -41,7 +42,7 @@ glm::dvec3 tileCenter(const scene::Tile& tile) {
 
 SplatSource sourceOf(std::span<const Splat> splats) {
   SplatSource source = emptySource(splats.size());
-  for (const Splat& splat : splats) take(source, splat.center, splat.opticalDepth);
+  for (const Splat& splat : splats) take(source, splat.center, splat.sigma, splat.opticalDepth);
   source.make = [splats](std::size_t first, std::span<Splat> out) {
     std::ranges::copy(splats.subspan(first, out.size()), out.begin());
   };
@@ -117,7 +118,8 @@ SplatSource SplatMaker::source(const glm::dvec3& center, std::vector<PuffOfCloud
     shape::Puff puff = placed(center, which);
     if (shape::frontalOpticalDepth(puff) > kOpaqueOpticalDepth)
       puff = shape::widenedAcross(puff, archetypeOf(which.instance).covering);
-    take(source, puff.center, shape::frontalOpticalDepth(puff));
+    constexpr float kMostWidening = 2;
+    take(source, puff.center, kMostWidening * puff.sigma, shape::frontalOpticalDepth(puff));
   }
   source.make = [this, center, puffs = std::move(puffs)](std::size_t first, std::span<Splat> out) {
     for (std::size_t i = 0; i < out.size(); ++i) out[i] = splat(center, puffs[first + i]);

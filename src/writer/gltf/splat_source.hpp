@@ -19,6 +19,7 @@ struct SplatSource {
   std::size_t count = 0;
   glm::vec3 lower{0}, upper{0};  ///< box around their centres
   bool dense = false;            ///< some are denser than kOpaqueOpticalDepth
+  float mostSigma = 0;           ///< no deviation is more
   /// Makes as many as there is room for, from the one of that index on.
   std::function<void(std::size_t first, std::span<Splat> out)> make;
 };

@@ -8,6 +8,7 @@
 #include "base/file.hpp"
 #include "check/fidelity/written_scene.hpp"
 #include "check/gltf/read_splats.hpp"
+#include "check/gltf/validate_glb.hpp"
 #include "support/gltf_scene.hpp"
 #include "support/scratch.hpp"
 #include "writer/gltf/gltf.hpp"
@@ -40,6 +41,35 @@ TEST(ReadBack, SeesEveryPuffWhereTheSceneHasIt) {
              std::abs(heldBy(splat) / shape::extinctionArea(puff) - 1) < 1e-3;
     }));
   EXPECT_NEAR(file.sunElevationDegrees, scene.sun.elevationDegrees, 1e-9);
+}
+
+TEST(ReadBack, QuantizedSplatsAreTheSameInHalfTheBytes) {
+  scene::Scene scene = test::gltfScene(400);
+  scene.archetypes[0].puffs[0].extinctionPerMeter = 2;
+  const test::Scratch full, small;
+  for (const int degree : {0, 1}) {
+    writeSplats(scene, {.folder = full.path(), .splats = {degree, false}});
+    writeSplats(scene, {.folder = small.path(), .splats = {degree, true}});
+    const auto file = [](const test::Scratch& folder) { return folder.path() / "scene.splats.glb"; };
+    const auto wanted = check::readSplats(file(full)).splats, read = check::readSplats(file(small)).splats;
+    ASSERT_EQ(read.size(), wanted.size());
+    EXPECT_LT(std::filesystem::file_size(file(small)), read.size() * (32 + 36 * static_cast<std::size_t>(degree)) + 20'000);
+    double held = 0, expected = 0;
+    for (std::size_t i = 0; i < read.size(); ++i) {
+      EXPECT_LT(glm::distance(read[i].center, wanted[i].center), 0.5f);
+      EXPECT_LT(glm::distance(read[i].sigma, wanted[i].sigma), 0.5f);
+      EXPECT_GT(std::abs(glm::dot(glm::normalize(read[i].rotation), wanted[i].rotation)), 0.9999f);
+      EXPECT_NEAR(read[i].opacity, wanted[i].opacity, 1e-5);
+      EXPECT_NEAR(read[i].opticalDepth / wanted[i].opticalDepth, 1, 0.02);
+      EXPECT_EQ(read[i].color, wanted[i].color);
+      EXPECT_EQ(read[i].harmonics, wanted[i].harmonics);
+      held += static_cast<double>(read[i].opticalDepth * read[i].sigma.x * read[i].sigma.z);
+      expected += static_cast<double>(wanted[i].opticalDepth * wanted[i].sigma.x * wanted[i].sigma.z);
+    }
+    EXPECT_NEAR(held / expected, 1, 1e-3);
+    const auto findings = check::validateGlb(file(small), {}, {}).findings;
+    EXPECT_TRUE(findings.empty()) << check::text(findings.front());
+  }
 }
 
 TEST(ReadBack, ReliefsOfCloudsHoldWhatTheirPuffsHold) {
