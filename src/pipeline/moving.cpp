@@ -182,9 +182,14 @@ MovingSky runTimes(const std::vector<base::UtcTime>& times, const OpenTime& open
 
   std::optional<MovingSky> sky;
   std::optional<Join> join;
+  light::Sun firstSun;
   std::vector<std::uint32_t> firstOfTime{0};
   for (std::size_t k = 0; k < times.size(); ++k) {
     const auto source = open(times[k]);
+    // What is lit once and for all is lit alike at all times: clouds of two times stand side by side.
+    if (k == 0) firstSun = located[k].origin.sun;
+    located[k].origin.sun = firstSun;
+    located[k].origin.sky = light::skyUnder(firstSun);
     Outcome outcome = finish(std::move(located[k]), *source, general, options, progress);
     firstOfTime.push_back(firstOfTime.back() + static_cast<std::uint32_t>(outcome.scene.instances.size()));
     if (k == 0) {

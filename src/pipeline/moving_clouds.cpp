@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "base/thread.hpp"
@@ -58,6 +59,15 @@ glm::vec3 shiftOf(const glm::dvec2& place, const motion::CarriedCloud& home, dou
   return {place.x - home.place.x, baseMeters - home.baseMeters, place.y - home.place.y};
 }
 
+/// What is left of the size of a cloud that is carried out of the box: nothing from its own width on.
+float leftBeyond(const CloudsOfTime& time, const motion::CarriedCloud& cloud, const glm::dvec2& place) {
+  const auto beyond = [&](const glm::dvec2& at) {
+    return glm::length(glm::max(glm::max(time.lower - at, at - time.upper), glm::dvec2(0)));
+  };
+  const double further = std::max(0.0, beyond(place) - beyond(cloud.place));
+  return std::max(kLeastGrowth, static_cast<float>(1 - further / cloud.widthMeters));
+}
+
 /// A cloud of one of both times on its way; `comes`: of the later one. At its own time all of it is there.
 std::vector<scene::Moment> momentsOf(const Passage& passage, const CloudsOfTime& earlier,
                                      const CloudsOfTime& later, std::uint32_t cloud, bool comes) {
@@ -80,6 +90,7 @@ std::vector<scene::Moment> momentsOf(const Passage& passage, const CloudsOfTime&
         moment = {glm::vec3(0), grown(own.widthMeters, partner.widthMeters, away),
                   static_cast<float>(1 - away)};
     }
+    moment.growth *= leftBeyond(earlier, own, place);
     moment.shift = shiftOf(place, own, base);
     moments.push_back(moment);
   }
@@ -106,7 +117,7 @@ CloudsOfTime cloudsOfTime(const field::Grid& grid, const base::LocalFrame& frame
       sample(point, place, layer.baseMeters + (0.5f + share) * layer.depthMeters(),
              layer.windEast + share * layer.shearEast, layer.windNorth + share * layer.shearNorth);
   }
-  CloudsOfTime out{{}, {frame.lowerCorner(), frame.upperCorner(), samples}};
+  CloudsOfTime out{{}, {frame.lowerCorner(), frame.upperCorner(), samples}, frame.lowerCorner(), frame.upperCorner()};
   for (const field::Cloud& cloud : table.clouds) {
     const glm::dvec3 at = frame.toScene(cloud.longitudeDegrees, cloud.latitudeDegrees, cloud.baseMeters);
     out.clouds.push_back({{at.x, at.z},

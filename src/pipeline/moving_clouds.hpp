@@ -17,6 +17,7 @@ namespace cloudgen::pipeline {
 struct CloudsOfTime {
   std::vector<motion::CarriedCloud> clouds;  ///< where they stand, not carried yet
   motion::WindField wind;
+  glm::dvec2 lower{0}, upper{0};  ///< of the scene's box: nothing is known of the wind beyond
 };
 
 /// From the layers and clouds of a time. The wind is that of its layers.
@@ -33,7 +34,7 @@ struct Passage {
 /// Carries, matches, and cuts the time into as many intervals as straight lines need to follow the wind, at most 24.
 Passage passageOf(const CloudsOfTime& earlier, const CloudsOfTime& later, double seconds);
 
-/// The moments of an earlier cloud as it goes, from its own time to the next, and of a later one as it comes.
+/// The moments of an earlier cloud as it goes, shrunk away where the wind takes it out of the box,, from its own time to the next, and of a later one as it comes.
 std::vector<scene::Moment> going(const Passage& passage, const CloudsOfTime& earlier, const CloudsOfTime& later,
                                  std::uint32_t cloud);
 std::vector<scene::Moment> coming(const Passage& passage, const CloudsOfTime& earlier, const CloudsOfTime& later,

@@ -38,9 +38,10 @@ Origin locateOrigin(const field::Source& source, const field::Grid& grid, const 
     throw base::InputError("--bbox " + boxText(box), "lies outside the model's domain " + boxText(whole),
                            "choose a box inside the domain");
   const base::LocalFrame frame(box);
-  Origin origin{frame, std::move(cells), groundOf(source, frame), {}, {}, {}};
+  Origin origin{frame, std::move(cells), groundOf(source, frame), {}, {}, {}, {}};
   origin.sun = sunFor(source, box, options, origin.warnings);
   origin.sky = light::skyUnder(origin.sun);
+  origin.shading = origin.sun.direction;
   return origin;
 }
 

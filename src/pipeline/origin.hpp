@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <glm/vec3.hpp>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,8 @@ struct Origin {
   Ground ground;
   light::Sun sun;
   light::Sky sky;
+  /// Towards the sun by which clouds shade each other: that of `sun`, unless later times are lit by the first's.
+  glm::vec3 shading{0, 1, 0};
   std::vector<std::string> warnings;
 };
 

@@ -159,7 +159,7 @@ scene::Scene produce(const field::CloudTable& table, const Origin& origin, const
     casters.push_back({scene.instances[i].position, static_cast<float>(0.5 * cloud.widthMeters),
                        static_cast<float>(cloud.depthMeters), static_cast<float>(cloud.opticalDepth)});
   }
-  light::Shadows shadows = light::shadowsOf(casters, origin.sun.direction);
+  light::Shadows shadows = light::shadowsOf(casters, origin.shading);
   for (size_t i = 0; i < shadows.sunlight.size(); ++i) scene.instances[i].sunlight = shadows.sunlight[i];
   scene.shadows = std::move(shadows.whole);
   return scene;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <set>
 
 #include "base/error.hpp"
@@ -110,6 +111,40 @@ TEST(Moving, CoverAndWaterGoFromOneTimeToTheNext) {
     const double water = start.opticalDepth + share * (end.opticalDepth - start.opticalDepth);
     EXPECT_NEAR(between.opticalDepth / water, 1, 0.1) << share;
   }
+}
+
+/// The wind beyond the box is nobody's forecast: no cloud is carried further out than it is wide.
+TEST(Moving, CloudsVanishWhereTheyLeaveTheBox) {
+  MadeForecast forecast = stratocumulus({0.6f, 0.6f});
+  forecast.layer.windEast = 60;
+  const MovingSky sky = forecast.built(20'000);
+  const glm::dvec2 lower = sky.scene.frame.lowerCorner(), upper = sky.scene.frame.upperCorner();
+  std::size_t beyond = 0;
+  for (std::size_t i = 0; i < sky.scene.instances.size(); ++i)
+    for (const scene::Moment& moment : sky.scene.motions[i].moments) {
+      const scene::Instance& cloud = sky.scene.instances[i];
+      const glm::dvec3 place(cloud.position + moment.shift);
+      const double width = sky.scene.archetypes[sky.scene.lit[cloud.lit].archetype].widthMeters * cloud.scale;
+      if (std::max({lower.x - place.x, place.x - upper.x, lower.y - place.z, place.z - upper.y}) < 1.5 * width) continue;
+      ++beyond;
+      EXPECT_LE(moment.growth, 0.03f);
+    }
+  EXPECT_GT(beyond, 50u);
+}
+
+/// Clouds of the first time and of six hours later stand side by side: one sun lights them.
+TEST(Moving, CloudsOfAllTimesAreLitAsAtTheFirst) {
+  MadeForecast forecast = stratocumulus({0.3f, 0.8f});
+  forecast.stepSeconds = 6 * 3600;
+  const MovingSky sky = forecast.built(20'000);
+  pipeline::Options alike = test::usualOptions(20'000);
+  alike.sunDegrees = {sky.first.scene.sun.azimuthDegrees, sky.first.scene.sun.elevationDegrees};
+  const MovingSky stated = runTimes(forecast.times(), [&](base::UtcTime time) { return forecast.at(time); }, alike, {});
+  ASSERT_EQ(sky.scene.lit.size(), stated.scene.lit.size());
+  EXPECT_GT(sky.scene.lit.size(), sky.first.scene.lit.size());
+  for (std::size_t i = 0; i < sky.scene.lit.size(); ++i)
+    for (std::size_t p = 0; p < sky.scene.lit[i].puffs.size(); ++p)
+      EXPECT_LT(glm::distance(sky.scene.lit[i].puffs[p].color, stated.scene.lit[i].puffs[p].color), 1e-4f);
 }
 
 /// Nothing jumps: half a minute changes little anywhere, at the times themselves as in between.
