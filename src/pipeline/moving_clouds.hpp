@@ -34,7 +34,8 @@ struct Passage {
 /// Carries, matches, and cuts the time into as many intervals as straight lines need to follow the wind, at most 24.
 Passage passageOf(const CloudsOfTime& earlier, const CloudsOfTime& later, double seconds);
 
-/// The moments of an earlier cloud as it goes, shrunk away where the wind takes it out of the box,, from its own time to the next, and of a later one as it comes.
+/// The moments of an earlier cloud as it goes, shrunk away where the wind takes it out of the box, from its
+/// own time to the next, and of a later one as it comes.
 std::vector<scene::Moment> going(const Passage& passage, const CloudsOfTime& earlier, const CloudsOfTime& later,
                                  std::uint32_t cloud);
 std::vector<scene::Moment> coming(const Passage& passage, const CloudsOfTime& earlier, const CloudsOfTime& later,
