@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <glm/gtc/quaternion.hpp>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "check/gltf/film_pose.hpp"
 #include "check/gltf/glb_parts.hpp"
@@ -100,6 +101,17 @@ std::vector<PictureMesh> partsOf(const GlbParts& glb, const json& mesh) {
   return parts;
 }
 
+/// Nodes that stand for others from afar (MSFT_lod): the same clouds again.
+std::set<std::size_t> farLevelsOf(const json& nodes) {
+  std::set<std::size_t> levels;
+  for (const json& node : nodes) {
+    const json extensions = node.value("extensions", json::object());
+    if (!extensions.contains("MSFT_lod")) continue;
+    for (const json& id : extensions["MSFT_lod"].at("ids")) levels.insert(id.get<std::size_t>());
+  }
+  return levels;
+}
+
 }  // namespace
 
 void readPictureMeshes(std::string_view bytes, const std::string& where,
@@ -107,8 +119,10 @@ void readPictureMeshes(std::string_view bytes, const std::string& where,
   const GlbParts glb(bytes, where, "name a scene.glb that cloudgen wrote, or its folder");
   try {
     const json nodes = seconds != 0 ? nodesAt(glb, seconds) : glb.root().value("nodes", json::array());
-    for (const json& node : nodes) {
-      if (!node.contains("mesh")) continue;
+    const auto farLevels = farLevelsOf(nodes);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      const json& node = nodes[i];
+      if (!node.contains("mesh") || farLevels.contains(i)) continue;
       MeshNode read{partsOf(glb, glb.root().at("meshes").at(node["mesh"].get<std::size_t>())), {}, {}};
       if (read.parts.empty()) continue;
       for (const char* placing : {"matrix", "children"})

@@ -129,17 +129,31 @@ nlohmann::json cloudExtras(const scene::Scene& scene, const scene::Archetype& ar
           {"clouds", std::move(ids)}};
 }
 
-/// One node for all clouds of a mesh.
-void addInstanced(GlbFile& file, const scene::Scene& scene, const std::string& name, int mesh,
+/// Of a cloud, near and far.
+struct Meshes {
+  int near = -1, far = -1;
+};
+
+/// One node for all clouds of a mesh, and one out of the scene for viewers that take it from afar.
+void addInstanced(GlbFile& file, const scene::Scene& scene, const std::string& name, const Meshes& meshes,
                   const std::vector<std::uint32_t>& instances) {
+  constexpr double kNearCoverage = 0.002;  // of the screen: a cloud some 4 % as wide as it
   const scene::LitArchetype& lit = scene.lit[scene.instances[instances.front()].lit];
   const glm::dvec3 middle = middleOf(scene, instances);
-  const nlohmann::json extras = cloudExtras(scene, scene.archetypes[lit.archetype], instances);
+  nlohmann::json extras = cloudExtras(scene, scene.archetypes[lit.archetype], instances);
+  extras["MSFT_screencoverage"] = {kNearCoverage, 0.0};
+  const Attributes places = addPlaces(file, scene, instances, middle);
+  const int farther = file.addNode({.name = name + " far",
+                                    .mesh = meshes.far,
+                                    .translation = middle,
+                                    .instancing = places,
+                                    .isInScene = false});
   file.addNode({.name = name,
-                .mesh = mesh,
+                .mesh = meshes.near,
                 .translation = middle,
                 .extras = &extras,
-                .instancing = addPlaces(file, scene, instances, middle)});
+                .instancing = places,
+                .farther = farther});
 }
 
 /// A node a cloud, as it stands when the film begins. Core glTF has no colour of a node: clouds in the shadow of others
@@ -205,11 +219,13 @@ void writeCards(const scene::Scene& scene, const Destination& destination) {
     const CloudMesh cards = meshOf(clouds[g], genus.atlas, genus.first.at(g));
     if (cards.indices.empty()) continue;  // so faint that nothing of it is seen
     const std::string name = fmt::format("{} heading {}", archetype.name, lit.yawStep);
-    const int mesh = addCloudMesh(file, name, cards, genus.material);
-    if (destination.cards.singly || film.moves())
-      addSingly(file, animation, film, scene, name, mesh, groups[g]);
-    else
-      addInstanced(file, scene, name, mesh, groups[g]);
+    const int near = addCloudMesh(file, name, cards, genus.material);
+    if (destination.cards.singly || film.moves()) {
+      addSingly(file, animation, film, scene, name, near, groups[g]);
+      continue;
+    }
+    const CloudMesh few = farMeshOf(clouds[g], genus.atlas, genus.first.at(g));
+    addInstanced(file, scene, name, {near, addCloudMesh(file, name + " far", few, genus.material)}, groups[g]);
   }
   file.write(destination.folder / "scene.glb");
   destination.progress.step("glb", 1);

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "writer/gltf/cloud_mesh.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 
 namespace cloudgen::writer::gltf {
 namespace {
 
-void append(CloudMesh& mesh, const CloudPicture& one, const glm::vec4& box) {
+void append(CloudMesh& mesh, const CloudPicture& one, const Relief& relief, const glm::vec4& box) {
   const auto& [picture, sight] = one;
-  const Relief& relief = picture.relief;
   const auto first = static_cast<std::uint32_t>(mesh.opticalDepths.size());
   const float held = std::abs(sight.towards.y) > 0.5f ? 0.5f : 0;
   for (int row = 0; row <= relief.rows; ++row)
@@ -34,12 +34,40 @@ void append(CloudMesh& mesh, const CloudPicture& one, const glm::vec4& box) {
   }
 }
 
+/// A relief of at most four cells a side, on some of its vertices. Flat pictures would be seen edge-on as lines.
+Relief coarse(const Relief& from) {
+  constexpr int kMostCells = 4;
+  Relief out;
+  out.columns = std::min(from.columns, kMostCells), out.rows = std::min(from.rows, kMostCells);
+  for (int row = 0; row <= out.rows; ++row)
+    for (int column = 0; column <= out.columns; ++column) {
+      const std::size_t vertex = from.vertex(column * from.columns / out.columns, row * from.rows / out.rows);
+      out.nearness.push_back(from.nearness[vertex]);
+      out.opticalDepth.push_back(from.opticalDepth[vertex]);
+    }
+  for (const auto& [column, row] : from.shown) {
+    const std::array cell{column * out.columns / from.columns, row * out.rows / from.rows};
+    if (std::ranges::find(out.shown, cell) == out.shown.end()) out.shown.push_back(cell);
+  }
+  return out;
+}
+
 }  // namespace
 
 CloudMesh meshOf(std::span<const CloudPicture> pictures, const PictureAtlas& atlas, std::size_t first) {
   CloudMesh mesh;
   for (const CloudPicture& one : pictures)
-    append(mesh, one, atlas.textureBox(first++, {0, 0, one.picture.image.width, one.picture.image.height}));
+    append(mesh, one, one.picture.relief,
+           atlas.textureBox(first++, {0, 0, one.picture.image.width, one.picture.image.height}));
+  return mesh;
+}
+
+CloudMesh farMeshOf(std::span<const CloudPicture> pictures, const PictureAtlas& atlas, std::size_t first) {
+  CloudMesh mesh;
+  for (const CloudPicture& one : pictures) {
+    const glm::vec4 box = atlas.textureBox(first++, {0, 0, one.picture.image.width, one.picture.image.height});
+    if (!one.picture.relief.shown.empty()) append(mesh, one, coarse(one.picture.relief), box);
+  }
   return mesh;
 }
 

@@ -25,6 +25,9 @@ struct CloudMesh {
 /// The mesh of pictures that are those of an atlas from `first` on.
 CloudMesh meshOf(std::span<const CloudPicture> pictures, const PictureAtlas& atlas, std::size_t first);
 
+/// The same from afar: at most 32 triangles a picture.
+CloudMesh farMeshOf(std::span<const CloudPicture> pictures, const PictureAtlas& atlas, std::size_t first);
+
 /// Adds the mesh, its optical depths as _VERTICAL_OPTICAL_DEPTH, as 8-bit opacities do not tell them.
 int addCloudMesh(GlbFile& file, const std::string& name, const CloudMesh& mesh, int material);
 

@@ -18,6 +18,7 @@ static_assert(std::endian::native == std::endian::little,
               "binary glTF is little-endian; this file copies memory as it is");
 
 constexpr const char* kInstancing = "EXT_mesh_gpu_instancing";
+constexpr const char* kLevels = "MSFT_lod";
 constexpr const char* kUnlit = "KHR_materials_unlit";
 
 /// tinygltf's own value type. It knows no 64-bit integers: whoever needs one writes it as text.
@@ -306,9 +307,13 @@ int GlbFile::addNode(const Node& node) {
     // Required: a viewer that ignored it would draw one cloud an archetype, all of them at the node's place.
     useExtension(kInstancing, true);
   }
+  if (node.farther >= 0) {
+    out.extensions[kLevels] = valueOf({{"ids", {node.farther}}});
+    useExtension(kLevels, false);
+  }
   auto& model = parts_->model;
   model.nodes.push_back(std::move(out));
-  model.scenes[0].nodes.push_back(indexOfLast(model.nodes));
+  if (node.isInScene) model.scenes[0].nodes.push_back(indexOfLast(model.nodes));
   return indexOfLast(model.nodes);
 }
 

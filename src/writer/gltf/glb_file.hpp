@@ -36,6 +36,8 @@ struct Node {
   double scale = 1;  ///< beside a rotation; metersPerUnit is 1 then
   const nlohmann::json* extras = nullptr;
   Attributes instancing;  ///< EXT_mesh_gpu_instancing, or empty
+  int farther = -1;       ///< the node that stands for it from afar (MSFT_lod), if any
+  bool isInScene = true;
 };
 
 enum class Component { Byte = 5120, UnsignedByte = 5121, Short = 5122, UnsignedShort = 5123, Float = 5126 };

@@ -35,7 +35,9 @@ Lattice latticeOf(float sigma) {
   const auto logShare = [&](int heads) {
     return -std::lgamma(heads + 1.0f) - std::lgamma(static_cast<float>(tosses - heads) + 1.0f);
   };
-  for (int heads = 0; heads <= tosses; ++heads) {
+  // Farther off the middle a share is less than exp(-2 1.5^2), to the largest.
+  const int middle = tosses / 2, reach = static_cast<int>(1.5f * std::sqrt(static_cast<float>(tosses))) + 2;
+  for (int heads = std::max(0, middle - reach); heads <= std::min(tosses, middle + reach); ++heads) {
     const float share = std::exp(logShare(heads) - logShare(tosses / 2));
     if (share < kFaintest) continue;
     out.nodes.push_back({(static_cast<float>(heads) - 0.5f * static_cast<float>(tosses)) * step, share});

@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 #include <nlohmann/json.hpp>
 
+#include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/gzip.hpp"
 #include "shape/blending.hpp"
@@ -24,6 +25,13 @@ constexpr float kReach = 3;
 /// The puffs that are drawn as splats: those that are seen, as wide as they are drawn, and for CesiumJS
 /// narrow.
 std::vector<LitPuff> asSplats(const std::vector<LitPuff>& puffs, bool narrow) {
+  constexpr std::size_t kMostPieces = 2'000'000;
+  std::size_t pieces = 0;
+  for (std::size_t i = 0; narrow && i < puffs.size() && pieces <= kMostPieces; ++i)
+    pieces += narrowCount(shape::widenedAcross(puffs[i].puff, puffs[i].covering));
+  if (pieces > kMostPieces)
+    throw base::OutputError("--tiles spz", "would split the clouds of a tile into millions of splats: they are too wide",
+                            "take --tiles cards, or auto");
   std::vector<LitPuff> out;
   for (LitPuff lit : puffs) {
     lit.puff = shape::widenedAcross(lit.puff, lit.covering);

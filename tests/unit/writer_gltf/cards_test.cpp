@@ -27,13 +27,39 @@ class Cards : public testing::Test {
   test::ScratchFolder out_;
 };
 
+/// Of the scene, without those that stand for others from afar.
+std::vector<nlohmann::json> nodesOf(const test::Glb& glb) {
+  std::vector<nlohmann::json> nodes;
+  for (const auto& node : glb.json["scenes"][0]["nodes"]) nodes.push_back(glb.json["nodes"][node.get<std::size_t>()]);
+  return nodes;
+}
+
+TEST_F(Cards, FromAfarTheSameCloudsAreFewerTriangles) {
+  const test::Glb glb = written(test::gltfScene());
+  const auto trianglesOf = [&](const nlohmann::json& node) {
+    const auto& primitive = glb.json["meshes"][node["mesh"].get<std::size_t>()]["primitives"][0];
+    return glb.json["accessors"][primitive["indices"].get<std::size_t>()]["count"].get<int>() / 3;
+  };
+  for (const auto& node : nodesOf(glb)) {
+    if (node["name"] == "ground") continue;
+    const auto& levels = node["extensions"]["MSFT_lod"]["ids"];
+    ASSERT_EQ(levels.size(), 1u);
+    EXPECT_EQ(node["extras"]["MSFT_screencoverage"].size(), 2u);
+    const auto& farther = glb.json["nodes"][levels[0].get<std::size_t>()];
+    EXPECT_LE(trianglesOf(farther), 32 * 6);
+    EXPECT_LT(trianglesOf(farther), trianglesOf(node) / 4);
+    EXPECT_EQ(farther["translation"], node["translation"]);
+    EXPECT_EQ(farther["extensions"]["EXT_mesh_gpu_instancing"], node["extensions"]["EXT_mesh_gpu_instancing"]);
+  }
+}
+
 TEST_F(Cards, EveryCloudIsAnInstanceAtItsPlace) {
   const scene::Scene scene = test::gltfScene();
   const test::Glb glb = written(scene);
   std::map<std::string, glm::vec3> placeOf;
   for (std::size_t i = 0; i < scene.instances.size(); ++i)
     placeOf[std::to_string(scene.clouds[i].id)] = scene.instances[i].position;
-  for (const auto& node : glb.json["nodes"]) {
+  for (const auto& node : nodesOf(glb)) {
     if (node["name"] == "ground") continue;
     const auto& attributes = node["extensions"]["EXT_mesh_gpu_instancing"]["attributes"];
     const auto translations = glb.values(attributes["TRANSLATION"]), scales = glb.values(attributes["SCALE"]);
@@ -54,7 +80,7 @@ TEST_F(Cards, EveryCloudIsAnInstanceAtItsPlace) {
 TEST_F(Cards, ViewersWithoutInstancingRefuseInsteadOfDrawingAWrongScene) {
   const test::Glb glb = written(test::gltfScene());
   EXPECT_EQ(glb.json["extensionsRequired"], nlohmann::json({"EXT_mesh_gpu_instancing"}));
-  EXPECT_EQ(glb.json["extensionsUsed"], nlohmann::json({"KHR_materials_unlit", "EXT_mesh_gpu_instancing"}));
+  EXPECT_EQ(glb.json["extensionsUsed"], nlohmann::json({"KHR_materials_unlit", "EXT_mesh_gpu_instancing", "MSFT_lod"}));
 }
 
 TEST_F(Cards, MaterialsAreUnlitBlendedAndCarryTheirGenus) {
@@ -182,7 +208,7 @@ TEST_F(Cards, CloudsInTheShadowOfOthersAreDarker) {
   scene::Scene scene = test::gltfScene();
   const auto colorsIn = [](const test::Glb& glb) {
     int count = 0;
-    for (const auto& node : glb.json["nodes"])
+    for (const auto& node : nodesOf(glb))
       if (node.contains("extensions"))
         count += node["extensions"]["EXT_mesh_gpu_instancing"]["attributes"].contains("_COLOR_0");
     return count;

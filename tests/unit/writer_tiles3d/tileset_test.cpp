@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/gzip.hpp"
 #include "check/fidelity/written_scene.hpp"
@@ -170,6 +171,16 @@ TEST(Tiles, PuffsKeepTheirBearingAndStandUpright) {
   };
   EXPECT_GT(pointsAlong(0, along), std::cos(0.03)) << "the map stretches angles there by a degree or so";
   EXPECT_GT(pointsAlong(1, up), std::cos(0.02)) << "packed in three bytes";
+}
+
+TEST(Tiles, CloudsTooWideForPackedSplatsAreRefusedOrCards) {
+  scene::Scene scene = test::gltfScene(10, 1);
+  scene.archetypes[0].puffs.assign(10, scene.archetypes[0].puffs.front());
+  for (shape::Puff& puff : scene.archetypes[0].puffs) puff.sigma = glm::vec3(9000);
+  const test::Scratch folder;
+  EXPECT_THROW(writeTiles(scene, {.folder = folder.path(), .tiles = {TileContent::Packed}}), base::OutputError);
+  writeTiles(scene, {.folder = folder.path(), .tiles = {TileContent::Auto}});
+  EXPECT_NE(base::readFile(folder.path() / "tileset.json").find("KHR_materials_unlit"), std::string::npos);
 }
 
 TEST(Tiles, LargeSkiesAreTreesOfTilesAndValid) {
