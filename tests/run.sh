@@ -70,13 +70,13 @@ make_sky() {
   part "validate $name" "$cloudgen" validate "$scenes/$name"/scene.*
   part "preview $name" "$cloudgen" preview "$scenes/$name" -o "$scenes/$name/preview.png"
 }
-make_sky theatre "$forecast" --bbox "$theatre_box" --fly '36.3,-122.5,1500;36.7,-122,2500;37.1,-121.3,900'
+make_sky theatre "$forecast" --bbox "$theatre_box"
 make_sky regional "$forecast" --bbox "$regional_box"
 # Browsers render in software here: two heaps of clouds in less detail, without the page that the first two have.
 for name in cumulus cumulonimbus; do
-  small=()
-  [ "$name" != cumulonimbus ] || small=(--splat-quantize)
-  make_sky "$name" "examples/gallery/$name.sky.json" --max-puffs 15000 --formats x3d,vrml,splats,glb "${small[@]}"
+  special=(--fly '36.76,-122.09,1500;36.82,-122,2500;36.89,-121.92,900')
+  [ "$name" = cumulus ] || special=(--splat-quantize)
+  make_sky "$name" "examples/gallery/$name.sky.json" --max-puffs 15000 --formats x3d,vrml,splats,glb "${special[@]}"
 done
 # Tilesets of few clouds, that each can be told from the others: for CesiumJS, whose splats are narrow, and for three.js.
 for content in spz cards splats; do
