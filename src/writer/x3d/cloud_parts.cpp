@@ -112,7 +112,7 @@ void drawTwice(std::vector<LitPuff>& members) {
 /// Quads have no thickness: they stand further apart, so that they begin and end where the puffs do.
 void spreadAsFlat(std::vector<LitPuff>& members) {
   constexpr double kMostStretch = 1.5;  ///< more of it would tear single puffs out of the cloud
-  constexpr std::size_t kFew = 12;      ///< a part of a cloud of so few puffs would begin or end elsewhere
+  constexpr std::size_t kFew = 48;      ///< a part of a cloud of so few puffs would begin or end elsewhere
   const std::vector<shape::Puff> puffs = puffsOf(members);
   const Extent wanted = extentOf(puffs, kBorderShare), ends = extentOf(puffs, kEndShare);
   const auto isTooFlat = [&] {
