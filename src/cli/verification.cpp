@@ -4,6 +4,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/time.hpp"
+#include "check/tiles3d/content_path.hpp"
 #include "cli/fidelity_maps.hpp"
 #include "cli/fidelity_report.hpp"
 
@@ -13,13 +14,14 @@ namespace {
 /// The tileset of a time, as the first of a sky that moves names it.
 std::filesystem::path tilesetAt(const std::filesystem::path& first, double seconds) {
   const auto tileset = nlohmann::json::parse(base::readFile(first), nullptr, false);
+  if (!tileset.is_object()) throw base::InputError(first.string(), "is no JSON object", "is it a tileset of cloudgen?");
   const auto times = tileset.value(nlohmann::json::json_pointer("/asset/extras/times"), nlohmann::json::array());
   std::optional<base::UtcTime> start;
   for (const auto& time : times) {
     const auto valid = base::utcFromIso(time.value("valid_time", ""));
     if (!start) start = valid;
     if (valid && static_cast<double>(valid->seconds - start->seconds) == seconds)
-      return first.parent_path() / time.value("uri", "");
+      return first.parent_path() / check::contentPath(time.value("uri", ""));
   }
   throw base::InputError(first.string(), "has no tileset of that time", "name one of its asset.extras.times");
 }

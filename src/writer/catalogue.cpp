@@ -29,7 +29,7 @@ std::span<const Format> formats() {
       {"vrml", "VRML97", {"scene.wrl"}, writeVrml97, false, false, kMostMovingNodes},
       {"splats", "Gaussian splats: glTF with KHR_gaussian_splatting", {"scene.splats.glb"}, writeSplats},
       {"ply", "Gaussian splats as splat tools read them", {"scene.splats.ply"}, writePly, true},
-      {"glb", "core glTF 2.0: instanced crossed cards", {"scene.glb"}, writeCards, false, false, kMostMovingNodes},
+      {"glb", "core glTF 2.0: clouds as pictures on their relief", {"scene.glb"}, writeCards, false, false, kMostMovingNodes},
       {"pack", "realtime runtime pack (FlatBuffers)", {"scene.cgpack"}, writePack, false, false, SIZE_MAX},
       {"tiles", "3D Tiles 1.1: a quadtree of splats or cards on the globe", {"tileset.json"}, writeTiles, true, false, SIZE_MAX},
       {"impostors", "pictures of each cloud from all sides, with depth", {"impostors.json"}, writeImpostors, true},

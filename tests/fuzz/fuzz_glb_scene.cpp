@@ -10,9 +10,9 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace cloudgen;
-  try {
+  for (const double seconds : {0.0, 1800.0}) try {
     const auto scene =
-        check::readGlbScene(std::string_view(reinterpret_cast<const char*>(data), size), "fuzz.glb");
+        check::readGlbScene(std::string_view(reinterpret_cast<const char*>(data), size), "fuzz.glb", seconds);
     const auto footprints = check::footprintsOf(scene.blobs, scene.pivots, check::viewFrom(30, 90, 1000));
     const glm::dvec2 rays[]{{0, 0}, {10, -20}, {1e6, 1e6}};
     check::Imager(footprints).look(rays, {});

@@ -10,9 +10,9 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace cloudgen;
-  try {
+  for (const double seconds : {0.0, 1800.0}) try {
     const auto scene =
-        check::readX3dScene(std::string_view(reinterpret_cast<const char*>(data), size), "fuzz.x3d");
+        check::readX3dScene(std::string_view(reinterpret_cast<const char*>(data), size), "fuzz.x3d", seconds);
     const glm::dvec2 rays[]{{0, 0}, {10, -20}, {1e6, 1e6}};
     for (const double zenith : {0.0, 60.0}) {
       const auto footprints =

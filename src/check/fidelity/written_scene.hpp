@@ -67,7 +67,7 @@ WrittenScene readTileScene(const std::filesystem::path& file, const base::LocalF
 WrittenScene readX3dScene(const std::filesystem::path& file, const base::Progress& progress, double seconds = 0);
 
 /// The same from bytes, without what they inline; `where` names them in messages.
-WrittenScene readX3dScene(std::string_view bytes, const std::string& where);
+WrittenScene readX3dScene(std::string_view bytes, const std::string& where, double seconds = 0);
 
 /// Reads the clouds of scene.glb: meshes whose material blends a picture named by a genus ("Cu"), drawn once
 /// or, by EXT_mesh_gpu_instancing, once a cloud. Vertices that triangles join are a card with that sprite,

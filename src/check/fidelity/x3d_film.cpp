@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "check/rules/keyframes.hpp"
 #include "check/rules/numbers.hpp"
 
 namespace cloudgen::check {
@@ -21,12 +22,6 @@ std::vector<float> listOf(std::string_view text) {
   std::vector<float> list;
   forEachNumber<Number>(text, [&](Number number) { list.push_back(static_cast<float>(number)); });
   return list;
-}
-
-/// The last key that is not after a share of the film.
-std::size_t keyBefore(const std::vector<float>& keys, float share) {
-  const auto after = std::upper_bound(keys.begin(), keys.end(), share) - keys.begin();
-  return after > 0 ? static_cast<std::size_t>(after) - 1 : 0;
 }
 
 }  // namespace
@@ -57,16 +52,16 @@ void X3dFilm::pose(double seconds, const std::map<std::string, std::uint32_t>& n
     if (driver == drivers_.end() || driven == named.end()) continue;
     const auto& [keys, values] = driver->second;
     CardNode& node = nodes[driven->second];
-    const std::size_t before = keyBefore(keys, share);
-    if (driver->second.components() == 1 && route.field == "whichChoice") node.choice = std::lround(values[before]);
+    if (keys.empty()) continue;
+    const Keyframe time = keyframeAt(keys, share);
+    if (driver->second.components() == 1 && route.field == "whichChoice") node.choice = std::lround(values[time.before]);
     if (driver->second.components() != 3) continue;
     const auto at = [&](std::size_t k) { return glm::vec3(values[3 * k], values[3 * k + 1], values[3 * k + 2]); };
-    const std::size_t after = std::min(before + 1, keys.size() - 1);
-    const float step = keys[after] - keys[before];
-    const glm::vec3 value = glm::mix(at(before), at(after), step > 0 ? glm::clamp((share - keys[before]) / step, 0.0f, 1.0f) : 0.0f);
+    const glm::vec3 value = glm::mix(at(time.before), at(time.after), time.share);
     if (route.field == "translation") node.matrix[3] = glm::vec4(value, 1);
     if (route.field == "scale")
-      for (int axis = 0; axis < 3; ++axis) node.matrix[axis] = value[axis] * glm::normalize(node.matrix[axis]);
+      for (int axis = 0; axis < 3; ++axis)
+        if (const float length = glm::length(node.matrix[axis]); length > 0) node.matrix[axis] *= value[axis] / length;
   }
 }
 

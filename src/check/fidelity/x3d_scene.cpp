@@ -336,9 +336,9 @@ WrittenScene readX3dScene(const fs::path& file, const base::Progress& progress, 
   return read(source, file.string(), file.filename().string(), &folder, seconds, progress);
 }
 
-WrittenScene readX3dScene(std::string_view bytes, const std::string& where) {
+WrittenScene readX3dScene(std::string_view bytes, const std::string& where, double seconds) {
   ByteSource source(bytes);
-  return read(source, where, where, nullptr, 0, {});
+  return read(source, where, where, nullptr, seconds, {});
 }
 
 }  // namespace cloudgen::check

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "check/gltf/film_pose.hpp"
 
-#include <algorithm>
+#include "check/rules/keyframes.hpp"
 
 namespace cloudgen::check {
 
@@ -17,10 +17,7 @@ json nodesAt(const GlbParts& glb, double seconds) {
     const auto keys = glb.floats(sampler.at("input").get<std::size_t>(), 1),
                values = glb.floats(sampler.at("output").get<std::size_t>(), 3);
     if (keys.empty() || values.size() != 3 * keys.size()) glb.fail("has an animation whose keys and values do not fit");
-    const auto next = static_cast<std::size_t>(std::upper_bound(keys.begin(), keys.end(), time) - keys.begin());
-    const std::size_t before = next > 0 ? next - 1 : 0, after = std::min(before + 1, keys.size() - 1);
-    const float step = keys[after] - keys[before],
-                share = step > 0 ? std::clamp((time - keys[before]) / step, 0.0f, 1.0f) : 0.0f;
+    const auto [before, after, share] = keyframeAt(keys, time);
     json value = json::array();
     for (std::size_t axis = 0; axis < 3; ++axis)
       value.push_back(values[3 * before + axis] + share * (values[3 * after + axis] - values[3 * before + axis]));
