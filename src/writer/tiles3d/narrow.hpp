@@ -15,9 +15,8 @@ inline constexpr float kMostSigmaMeters = 125;
 std::size_t narrowCount(const shape::Puff& puff);
 
 /// Appends the puff, up to a quarter wider than kMostSigmaMeters made narrower; or, if it is wider still, several in a
-/// lattice (binomial weights along each
-/// wide axis) that have its extinction and spread together. Those too faint to be seen are left out; the others
-/// take what they hold.
+/// lattice (binomial weights along each wide axis) that have its extinction and spread together. Those too faint to be
+/// seen are left out; the others take what they hold.
 void appendNarrow(const LitPuff& lit, std::vector<LitPuff>& out);
 
 }  // namespace cloudgen::writer::tiles3d
