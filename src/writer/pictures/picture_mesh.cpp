@@ -19,12 +19,6 @@ std::size_t placeOf(const glm::ivec2& corner) {
   return static_cast<std::size_t>(corner.y) * kCorners + static_cast<std::size_t>(corner.x);
 }
 
-/// What a corner of the grid shows.
-struct Sample {
-  glm::vec4 straight{0};    ///< its colour and opacity
-  glm::vec4 multiplied{0};  ///< the same with opacity multiplied into the colour
-};
-
 glm::vec4 pixelOf(const image::ByteImage& image, int x, int y) {
   const std::size_t at = 4 * (static_cast<std::size_t>(std::clamp(y, 0, image.height - 1)) *
                                   static_cast<std::size_t>(image.width) +
@@ -34,8 +28,8 @@ glm::vec4 pixelOf(const image::ByteImage& image, int x, int y) {
 }
 
 /// From the lower left one row by row.
-std::vector<Sample> sampled(const image::ByteImage& image) {
-  std::vector<Sample> samples;
+std::vector<glm::vec4> sampled(const image::ByteImage& image) {
+  std::vector<glm::vec4> samples;
   for (int row = 0; row < kCorners; ++row)
     for (int column = 0; column < kCorners; ++column) {
       const float x = static_cast<float>(image.width * column) / kCells - 0.5f,
@@ -45,10 +39,16 @@ std::vector<Sample> sampled(const image::ByteImage& image) {
         return glm::mix(pixelOf(image, left, line), pixelOf(image, left + 1, line),
                         x - static_cast<float>(left));
       };
-      const glm::vec4 value = glm::mix(across(top), across(top + 1), y - static_cast<float>(top));
-      samples.push_back({value, {value.w * glm::vec3(value), value.w}});
+      samples.push_back(glm::mix(across(top), across(top + 1), y - static_cast<float>(top)));
     }
   return samples;
+}
+
+/// With opacity multiplied into the colour: what of it is seen.
+std::vector<glm::vec4> multiplied(const std::vector<glm::vec4>& samples) {
+  std::vector<glm::vec4> out;
+  for (const glm::vec4& one : samples) out.push_back({one.w * glm::vec3(one), one.w});
+  return out;
 }
 
 /// A right triangle of the grid: its longest side from a to b, its right angle at c.
@@ -64,15 +64,30 @@ struct Triangle {
 constexpr std::array<Triangle, 2> kHalves{
     {{{0, 0}, {kCells, kCells}, {kCells, 0}}, {{kCells, kCells}, {0, 0}, {0, kCells}}}};
 
-/// All triangles that can be halved, the large ones first.
-std::vector<Triangle> allTriangles() {
+/// A triangle that can be halved: places of its middle, of the ends of its longest side and of the middles of
+/// its halves (its own where they cannot be halved).
+struct Halving {
+  std::uint32_t middle, a, b, left, right;
+};
+
+/// All of them, the small ones first.
+std::vector<Halving> allHalvings() {
   std::vector<Triangle> all(kHalves.begin(), kHalves.end());
   for (std::size_t i = 0; i < all.size(); ++i)
     if (const Triangle one = all[i]; one.left().canSplit()) {
       all.push_back(one.left());
       all.push_back(one.right());
     }
-  return all;
+  std::vector<Halving> halvings;
+  for (auto one = all.rbegin(); one != all.rend(); ++one) {
+    const auto place = [](const glm::ivec2& corner) { return static_cast<std::uint32_t>(placeOf(corner)); };
+    const auto middleOf = [&](const Triangle& half) {
+      return place(half.canSplit() ? half.middle() : one->middle());
+    };
+    halvings.push_back({place(one->middle()), place(one->a), place(one->b), middleOf(one->left()),
+                        middleOf(one->right())});
+  }
+  return halvings;
 }
 
 /// Right triangles that are halved where their straight edges miss what is between (Evans et al. 2001,
@@ -81,14 +96,12 @@ std::vector<Triangle> allTriangles() {
 class Network {
  public:
   explicit Network(const image::ByteImage& image) : samples_(sampled(image)), misses_(samples_.size(), 0) {
-    static const std::vector<Triangle> kAll = allTriangles();
-    for (auto one = kAll.rbegin(); one != kAll.rend(); ++one) {
-      const glm::vec4 away = glm::abs(sample(one->middle()).multiplied -
-                                      0.5f * (sample(one->a).multiplied + sample(one->b).multiplied));
-      float& miss = misses_[placeOf(one->middle())];
-      miss = std::max({miss, away.x, away.y, away.z, away.w});
-      for (const Triangle& half : {one->left(), one->right()})
-        if (half.canSplit()) miss = std::max(miss, misses_[placeOf(half.middle())]);
+    static const std::vector<Halving> kAll = allHalvings();
+    const std::vector<glm::vec4> seen = multiplied(samples_);
+    for (const Halving& one : kAll) {
+      const glm::vec4 away = glm::abs(seen[one.middle] - 0.5f * (seen[one.a] + seen[one.b]));
+      misses_[one.middle] = std::max({misses_[one.middle], away.x, away.y, away.z, away.w, misses_[one.left],
+                                      misses_[one.right]});
     }
   }
 
@@ -97,7 +110,7 @@ class Network {
     for (const Triangle& half : kHalves) collect(half, miss, out);
     return out;
   }
-  const Sample& sample(const glm::ivec2& corner) const { return samples_[placeOf(corner)]; }
+  const glm::vec4& sample(const glm::ivec2& corner) const { return samples_[placeOf(corner)]; }
 
  private:
   void collect(const Triangle& one, float miss, std::vector<Triangle>& out) const {
@@ -108,9 +121,9 @@ class Network {
       out.push_back(one);
     }
   }
-  float alpha(const glm::ivec2& corner) const { return sample(corner).straight.w; }
+  float alpha(const glm::ivec2& corner) const { return sample(corner).w; }
 
-  std::vector<Sample> samples_;
+  std::vector<glm::vec4> samples_;  ///< straight colour and opacity
   std::vector<float> misses_;  ///< of a corner in the middle of a longest side, and of all below it
 };
 
@@ -160,12 +173,8 @@ void keepCover(PictureMesh& mesh, double wanted) {
   }
 }
 
-}  // namespace
-
-PictureMesh meshOf(const PuffPicture& picture, std::size_t mostTriangles) {
+PictureMesh meshOf(const PuffPicture& picture, const Network& network, std::size_t mostTriangles) {
   PictureMesh mesh;
-  if (picture.image.bytes.empty()) return mesh;
-  const Network network(picture.image);
   const glm::vec2 step = (picture.upper - picture.lower) / static_cast<float>(kCells);
   std::vector<std::int64_t> places(static_cast<std::size_t>(kCorners) * kCorners, -1);
   for (const Triangle& one : fewTriangles(network, mostTriangles))
@@ -174,12 +183,22 @@ PictureMesh meshOf(const PuffPicture& picture, std::size_t mostTriangles) {
       if (place < 0) {
         place = std::ssize(mesh.points);
         mesh.points.push_back(picture.lower + step * glm::vec2(corner));
-        mesh.colors.push_back(network.sample(corner).straight);
+        mesh.colors.push_back(network.sample(corner));
       }
       mesh.indices.push_back(static_cast<std::uint32_t>(place));
     }
   keepCover(mesh, coverOf(picture));
   return mesh;
+}
+
+}  // namespace
+
+std::vector<PictureMesh> meshesOf(const PuffPicture& picture, std::span<const std::size_t> mostTriangles) {
+  std::vector<PictureMesh> meshes(mostTriangles.size());
+  if (picture.image.bytes.empty()) return meshes;
+  const Network network(picture.image);
+  for (std::size_t i = 0; i < meshes.size(); ++i) meshes[i] = meshOf(picture, network, mostTriangles[i]);
+  return meshes;
 }
 
 }  // namespace cloudgen::writer

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <map>
@@ -61,6 +62,10 @@ Shown shownBy(const PictureMesh& mesh) {
   return sum;
 }
 
+PictureMesh meshOf(const PuffPicture& picture, std::size_t mostTriangles) {
+  return meshesOf(picture, std::array{mostTriangles}).front();
+}
+
 TEST(PictureMesh, CoversAndIsAsBrightAsItsPicture) {
   const scene::Scene scene = test::smallScene();
   for (std::uint32_t lit = 0; lit < scene.lit.size(); ++lit) {
@@ -74,6 +79,15 @@ TEST(PictureMesh, CoversAndIsAsBrightAsItsPicture) {
           EXPECT_NEAR(mesh.luminance(), wanted.luminance(), 0.03 * wanted.luminance()) << lit << " " << most;
         }
   }
+}
+
+TEST(PictureMesh, OfSeveralSizesAreThoseOfEach) {
+  const PuffPicture picture = picturesOf(test::smallScene(), 0, 64).level[0].picture;
+  const std::vector<PictureMesh> both = meshesOf(picture, std::array<std::size_t, 2>{300, 60});
+  ASSERT_EQ(both.size(), 2u);
+  EXPECT_EQ(both[0].indices, meshOf(picture, 300).indices);
+  EXPECT_EQ(both[1].indices, meshOf(picture, 60).indices);
+  EXPECT_LT(both[1].indices.size(), both[0].indices.size());
 }
 
 TEST(PictureMesh, HasNoMoreTrianglesThanWantedAndNoneTurnedAway) {
