@@ -108,12 +108,24 @@ QuadMesh crossedQuads(const std::vector<LitPuff>& puffs, const glm::vec3& origin
     // Plane i lies across axis i.
     const std::array<float, 3> areas{s.y * s.z, s.z * s.x, s.x * s.y};
     const float largest = std::max({areas[0], areas[1], areas[2]});
+    const std::array<float, 3> levelness{std::abs(axes[0].y), std::abs(axes[1].y), std::abs(axes[2].y)};
+    const auto mostLevel = std::ranges::max_element(levelness) - levelness.begin();
+    const auto isUpright = [&](int i) { return levelness[static_cast<size_t>(i)] < 0.5f; };
+    const auto isDrawn = [&](int i) {
+      const bool isSmall = areas[static_cast<size_t>(i)] < kSmallestPlane * largest;
+      // Its most level plane holds what is seen from above, however small.
+      if (isSmall && i != mostLevel && lit.planes != Planes::Level) return false;
+      return lit.planes != (isUpright(i) ? Planes::Level : Planes::Upright);
+    };
+    // From above a plane that is tilted is narrower than its puff: what they show together is the puff's.
+    float levelShare = 0;
+    for (int i = 0; i < 3; ++i)
+      if (isDrawn(i) && !isUpright(i)) levelShare += levelness[static_cast<size_t>(i)];
     for (int i = 0; i < 3; ++i) {
-      const size_t plane = static_cast<size_t>(i);
-      if (areas[plane] < kSmallestPlane * largest && lit.planes != Planes::Level) continue;
-      const bool upright = std::abs(axes[i].y) < 0.5f;
-      if (lit.planes == (upright ? Planes::Level : Planes::Upright)) continue;
-      const float opticalDepth = shape::centralOpticalDepth(lit.puff.extinctionPerMeter, s[i]);
+      if (!isDrawn(i)) continue;
+      const bool upright = isUpright(i);
+      const float opticalDepth =
+          shape::centralOpticalDepth(lit.puff.extinctionPerMeter, s[i]) / (upright ? 1 : levelShare);
       const float widening = wideningOf(opticalDepth, lit.covering), reach = widening * kSpriteReach;
       const float drawnDepth = opticalDepthOfQuad(opticalDepth, widening);
       glm::vec4 color = colorOf(lit, drawnDepth);

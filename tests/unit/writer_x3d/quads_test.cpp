@@ -65,6 +65,28 @@ TEST(CrossedQuads, ARoundPuffHasThreeCardsAFlatOneOne) {
   EXPECT_NEAR(std::abs(frontOf(flat.quads[0]).y), 1, 1e-5);
 }
 
+/// Optical depth times area that level quads show from straight above.
+double shownFromAbove(const QuadMesh& mesh) {
+  const double withinBorder = std::pow(std::erf(2.2 / std::sqrt(2.0)), 2);
+  double sum = 0;
+  for (const Quad& quad : mesh.quads) {
+    const double area = std::abs(glm::cross(quad.right, quad.up).y) / (2.2 * 2.2);
+    if (std::abs(frontOf(quad).y) >= 0.5) sum += withinBorder * quad.opticalDepth * 2 * 3.14159265 * area;
+  }
+  return sum;
+}
+
+TEST(CrossedQuads, FromAboveAPuffHoldsWhatItDoesHoweverTallOrTilted) {
+  for (const glm::vec3& sigma : {glm::vec3(50), glm::vec3(80, 20, 60), glm::vec3(30, 90, 35), glm::vec3(70, 60, 20)})
+    for (const float tilt : {0.0f, 0.4f, 0.75f, 1.2f}) {
+      LitPuff lit = puffAt(glm::vec3(0), sigma);
+      lit.puff.rotation = glm::angleAxis(tilt, glm::normalize(glm::vec3(1, 0.3f, 0.5f)));
+      const double wanted = shape::extinctionArea(lit.puff);
+      EXPECT_NEAR(shownFromAbove(crossedQuads({lit}, glm::vec3(0), kAtlas)), wanted, 1e-3 * wanted)
+          << sigma.x << " " << sigma.y << " " << tilt;
+    }
+}
+
 TEST(CrossedQuads, FromAboveHighCardsComeLastAndFromBelowLowOnes) {
   const QuadMesh mesh = crossedQuads(
       {puffAt({0, 300, 0}, {500, 50, 500}), puffAt({0, 100, 0}, {500, 50, 500})}, glm::vec3(0), kAtlas);
