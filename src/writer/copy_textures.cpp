@@ -19,13 +19,19 @@ std::vector<base::Genus> generaOf(const scene::Scene& scene) {
   return genera;
 }
 
-std::vector<image::SpriteAtlas> copyTextures(const scene::Scene& scene, const std::filesystem::path& folder) {
-  const auto from = base::dataDir() / "textures", to = folder / "textures";
-  const auto atlases = image::readSpriteManifest(from);
+std::filesystem::path makeTexturesFolder(const std::filesystem::path& folder) {
+  const auto textures = folder / "textures";
   std::error_code error;
-  std::filesystem::create_directories(to, error);
+  std::filesystem::create_directories(textures, error);
   if (error)
-    throw base::OutputError(to.string(), "cannot be made: " + error.message(), "check the output folder");
+    throw base::OutputError(textures.string(), "cannot be made: " + error.message(), "check the output folder");
+  return textures;
+}
+
+std::vector<image::SpriteAtlas> copyTextures(const scene::Scene& scene, const std::filesystem::path& folder) {
+  const auto from = base::dataDir() / "textures";
+  const auto atlases = image::readSpriteManifest(from);
+  const auto to = makeTexturesFolder(folder);
   for (const base::Genus genus : generaOf(scene)) {
     const std::string& name = image::atlasOf(atlases, genus).file;
     base::writeFile(to / name, base::readFile(from / name));

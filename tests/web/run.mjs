@@ -96,6 +96,8 @@ async function checkScene(runner, folder, onlyPage, turn) {
         view3dsceneDraws(join(folder, 'scene.x3d'), emptyFile, picture('view3dscene_scene.x3d')),
       );
   }
+  if (has('scene.wrl') && has('scene.x3d') && isItsTurn())
+    runner.add(`${scene}: view3dscene draws scene.wrl`, 200, () => view3dsceneDraws(join(folder, 'scene.wrl'), emptyFile, picture('view3dscene_scene.wrl')));
   draws('three.js', 'three', 'scene.splats.glb');
   draws('Babylon.js', 'babylon', 'scene.splats.glb', 3000);
   draws('three.js', 'three', 'scene.glb');

@@ -5,19 +5,11 @@
 #include <array>
 #include <cmath>
 
-#include "base/text.hpp"
+#include "writer/x3d/cloud_record.hpp"
+#include "writer/x3d/shades.hpp"
 
 namespace cloudgen::writer {
 namespace {
-
-/// Steps of shadow from other clouds, 0 in full sun: clouds of one step share what they are drawn with.
-constexpr int kShades = 4;
-int shadeOf(const scene::Instance& instance) {
-  return static_cast<int>(std::lround((1 - instance.sunlight) * (kShades - 1)));
-}
-float sunlightOf(const scene::Instance& instance) {
-  return 1 - static_cast<float>(shadeOf(instance)) / (kShades - 1);
-}
 
 /// Steps of Instance::opticalDepthFactor, as powers of this.
 constexpr float kDepthStep = 1.09f;
@@ -129,7 +121,7 @@ void CloudNodes::picture(const scene::Instance& instance, MeshFineness fineness)
                                        kNames[static_cast<std::size_t>(fineness)], shadeOf(instance));
   if (!defined_.insert(name).second) return nodes_.use("Group", "children", name);
   nodes_.open("Group", "children", name);
-  meshes_->write(nodes_, archetype, sunlightOf(instance), fineness);
+  meshes_.write(nodes_, archetype, sunlightOf(instance), fineness);
   nodes_.close();
 }
 
@@ -153,41 +145,7 @@ void CloudNodes::fixed(std::uint32_t i, CloudDetail detail) {
 
 void CloudNodes::open(std::uint32_t i) {
   film_.openFollower(i, scene_.instances[i]);
-  if (i < scene_.clouds.size()) record(scene_.clouds[i]);
-}
-
-void CloudNodes::record(const scene::CloudRecord& cloud) {
-  const std::string genus(base::abbreviation(cloud.genus)), id = std::to_string(cloud.id);
-  const std::array<float, 3> measures{cloud.baseMeters, cloud.topMeters, cloud.opticalDepth};
-  if (nodes_.encoding() == Encoding::Vrml97) {
-    std::string numbers = "base_m ";
-    base::appendFixed(numbers, measures[0], 0);
-    numbers += " top_m ";
-    base::appendFixed(numbers, measures[1], 0);
-    numbers += " optical_depth ";
-    base::appendFixed(numbers, measures[2], 2);
-    nodes_.open("WorldInfo");
-    nodes_.strings("info", std::vector<std::string>{"id " + id, "genus " + genus, "rule " + cloud.rule,
-                                                    "cell " + std::to_string(cloud.cell), numbers});
-    nodes_.string("title", "cloud");
-    nodes_.close();
-    return;
-  }
-  nodes_.open("MetadataSet", "metadata");
-  nodes_.string("name", "cloud");
-  nodes_.open("MetadataString", "value");
-  nodes_.string("name", "id genus rule");
-  nodes_.strings("value", std::vector<std::string>{id, genus, cloud.rule});
-  nodes_.close();
-  nodes_.open("MetadataInteger", "value");
-  nodes_.string("name", "cell");
-  nodes_.integers("value", std::array{static_cast<std::int32_t>(cloud.cell)});
-  nodes_.close();
-  nodes_.open("MetadataFloat", "value");
-  nodes_.string("name", "base_m top_m optical_depth");
-  nodes_.numbers("value", measures, 1, 2);
-  nodes_.close();
-  nodes_.close();
+  if (i < scene_.clouds.size()) writeRecord(nodes_, scene_.clouds[i]);
 }
 
 std::string CloudNodes::nameOf(const scene::Instance& instance) const {

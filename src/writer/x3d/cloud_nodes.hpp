@@ -19,10 +19,10 @@ enum class Beyond : unsigned char { Here, Elsewhere };
 /// archetype, which the first cloud that needs it defines and the others use.
 class CloudNodes {
  public:
-  /// `meshes` may be null where no cloud is written in levels. Pictures finer than `finestWhole` are only of clouds
-  /// that are also in full: `whole` leaves them to `near` elsewhere.
+  /// Pictures finer than `finestWhole` are only of clouds that are also in full: `whole` leaves them to `near`
+  /// elsewhere.
   CloudNodes(NodeWriter& nodes, QuadShapes& shapes, FilmNodes& film, const scene::Scene& scene,
-             const Coverings& coverings, const CloudMeshes* meshes, MeshFineness finestWhole = MeshFineness::Fine)
+             const Coverings& coverings, const CloudMeshes& meshes, MeshFineness finestWhole)
       : nodes_(nodes),
         shapes_(shapes),
         film_(film),
@@ -43,7 +43,6 @@ class CloudNodes {
 
  private:
   void open(std::uint32_t instance);
-  void record(const scene::CloudRecord& cloud);
   std::string nameOf(const scene::Instance& instance) const;
   void openLevels(const scene::Instance& instance, const std::string& def, std::span<const float> ranges);
   void empty();
@@ -56,7 +55,7 @@ class CloudNodes {
   FilmNodes& film_;
   const scene::Scene& scene_;
   const Coverings& coverings_;
-  const CloudMeshes* meshes_;
+  const CloudMeshes& meshes_;
   MeshFineness finestWhole_;
   std::set<std::string> defined_;
 };

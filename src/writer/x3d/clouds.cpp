@@ -11,7 +11,6 @@
 
 #include "base/text.hpp"
 #include "base/thread.hpp"
-#include "writer/x3d/cards.hpp"
 #include "writer/x3d/cloud_nodes.hpp"
 #include "writer/x3d/file_pictures.hpp"
 #include "writer/x3d/film_nodes.hpp"
@@ -24,7 +23,6 @@ constexpr double kLiveClouds = 250;       ///< clouds that are drawn one by one 
 /// Clouds of all times of a sky that moves with finer pictures than coarse ones in the scene's file, at most.
 constexpr std::size_t kFinelyMovingClouds = 1000;
 constexpr double kNearClouds = 4;         ///< clouds that are drawn in full around the viewer, about
-constexpr std::size_t kFarPuffs = 24000;  ///< puffs in the far shapes of all tiles together, about
 /// The pictures of clouds in the scene's file and in that of a tile.
 constexpr PictureSize kPicturesAtHand{1.2e6, 128}, kTilePictures{1e5, 64};
 /// A flat square is a sheet from so many times its side away on.
@@ -34,10 +32,6 @@ constexpr float kFlatRange = 0.75f;
 /// (gl.getParameter and gl.readPixels in ImageTexture), a fifth of a second each for sheets, four seconds
 /// each for cards over all of a region. Parsing, nodes and sensors take a hundredth of that.
 constexpr float kLoadAhead = 1.15f;
-
-/// view3dscene 4.2 refuses the field `level` of VRML97's LOD, and the standard any other name for it: VRML97
-/// has no LOD here but this many clouds in full, and up to this many with their far level.
-constexpr std::size_t kVrml97Full = 60, kVrml97Simple = 1000;
 
 const scene::Archetype& archetypeOf(const scene::Scene& scene, std::uint32_t instance) {
   return scene.archetypes[scene.lit[scene.instances[instance].lit].archetype];
@@ -60,20 +54,6 @@ std::vector<bool> fullOf(const scene::Scene& scene) {
   for (const std::uint32_t i : widestFirst(scene))
     full[i] = (puffs += archetypeOf(scene, i).puffs.size()) <= kPuffsInFull;
   return full;
-}
-
-/// As cards the widest clouds are a handful of puffs, the others one: kFarPuffs together.
-std::vector<bool> partedOf(const scene::Scene& scene) {
-  std::vector<bool> isParted(scene.instances.size(), false);
-  std::size_t puffs = scene.instances.size();
-  for (const std::uint32_t i : widestFirst(scene)) {
-    const std::size_t parts = archetypeOf(scene, i).farPuffs.size();
-    if (parts == 0) continue;
-    puffs += parts - 1;
-    if (puffs > kFarPuffs) break;
-    isParted[i] = true;
-  }
-  return isParted;
 }
 
 /// What one file of a scene is written with.
@@ -138,7 +118,7 @@ class Tiles {
     pictures.texture(folder);
     declareUnlit(nodes);
     FilmNodes film(nodes, film_);
-    File main{nodes, shapes, film, CloudNodes(nodes, shapes, film, scene_, coverings_, &meshes_, finestWhole_),
+    File main{nodes, shapes, film, CloudNodes(nodes, shapes, film, scene_, coverings_, meshes_, finestWhole_),
               pictures};
     for (std::size_t i = 0; i < trees_.size(); ++i) {
       if (!isAtHand_[i])
@@ -292,7 +272,7 @@ class Tiles {
     pictures.texture(folder);
     declareUnlit(*nodes);
     FilmNodes film(*nodes, film_);
-    File one{*nodes, shapes, film, CloudNodes(*nodes, shapes, film, scene_, coverings_, &meshes_, finestWhole_),
+    File one{*nodes, shapes, film, CloudNodes(*nodes, shapes, film, scene_, coverings_, meshes_, finestWhole_),
              pictures};
     if (isSmall_)
       one.eachOf(tile.instances,
@@ -316,46 +296,10 @@ class Tiles {
   MeshFineness finestWhole_;
 };
 
-/// All clouds in one file: those nearest to where the viewpoints look in full, more of them as their far
-/// puffs, the others as cards.
-void writeFixed(NodeWriter& nodes, QuadShapes& shapes, const scene::Scene& scene, const Stage& stage,
-                const base::Progress& progress) {
-  std::vector<std::uint32_t> order(scene.instances.size()), rank(order.size());
-  std::iota(order.begin(), order.end(), 0u);
-  const auto away = [&](std::uint32_t i) { return glm::distance(scene.instances[i].position, stage.focus); };
-  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return away(a) < away(b); });
-  std::vector<bool> full(order.size(), false);
-  for (std::uint32_t i = 0; i < order.size(); ++i) {
-    rank[order[i]] = i;
-    full[order[i]] = i < kVrml97Full;
-  }
-  const Coverings coverings(scene, shapes.atlases(), full);
-  const std::vector<bool> inParts = partedOf(scene);
-  const Film film(scene);
-  FilmNodes filmNodes(nodes, film);
-  CloudNodes clouds(nodes, shapes, filmNodes, scene, coverings, nullptr);
-  const auto trees = tileTrees(scene, stage);
-  for (std::size_t i = 0; i < trees.size(); ++i) {
-    progress.step("writing VRML", static_cast<double>(i) / static_cast<double>(trees.size()));
-    nodes.open("Group", "children", "Tile_" + trees[i].name);
-    std::vector<std::uint32_t> others;
-    for (const std::uint32_t instance : trees[i].instances) {
-      if (film.moves() || rank[instance] < kVrml97Simple)
-        clouds.fixed(instance, full[instance] ? CloudDetail::Full : CloudDetail::Simple);
-      else
-        others.push_back(instance);
-    }
-    writeCards(shapes, scene, others, inParts);
-    nodes.close();
-  }
-  filmNodes.finish();
-}
-
 }  // namespace
 
 void writeClouds(NodeWriter& nodes, QuadShapes& shapes, const scene::Scene& scene, const Stage& stage,
                  const std::filesystem::path& folder, const base::Progress& progress) {
-  if (nodes.encoding() == Encoding::Vrml97) return writeFixed(nodes, shapes, scene, stage, progress);
   const Tiles tiles(scene, stage, shapes.atlases(), nodes.encoding());
   tiles.files(folder, progress);
   tiles.roots(nodes, shapes, folder);

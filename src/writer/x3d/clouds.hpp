@@ -19,8 +19,7 @@ inline constexpr std::size_t kPuffsInFull = 400000;
 /// Writes the clouds of a scene, each a Transform with its record as metadata. Of few clouds each is one
 /// picture that turns to the viewer, and in full in a file of its tile (scene.tile_NAME.x3d in `folder`),
 /// which viewers load as they come near; the tiles about the places that the viewpoints look at stand in the
-/// scene's file. Of many clouds a tile is pictures in one Shape until its file is loaded. VRML97 has all in
-/// the one file, without levels of detail.
+/// scene's file. Of many clouds a tile is pictures in one Shape until its file is loaded. Not for VRML97.
 void writeClouds(NodeWriter& nodes, QuadShapes& shapes, const scene::Scene& scene, const Stage& stage,
                  const std::filesystem::path& folder, const base::Progress& progress);
 

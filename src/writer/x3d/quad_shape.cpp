@@ -1,24 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "writer/x3d/quad_shape.hpp"
 
-#include <optional>
-
 namespace cloudgen::writer {
 namespace {
-
-constexpr float kThinOpacity = 0.7f;  ///< mean opacity below which a VRML97 mesh is drawn translucent
-
-/// Mean colour and opacity of quads, weighted by their area.
-glm::vec4 meanColor(const QuadMesh& mesh) {
-  glm::dvec4 sum(0);
-  double whole = 0;
-  for (const Quad& quad : mesh.quads) {
-    const double area = static_cast<double>(glm::length(quad.right)) * glm::length(quad.up);
-    sum += area * glm::dvec4(quad.color);
-    whole += area;
-  }
-  return glm::vec4(sum / whole);
-}
 
 /// A few thousand metres need no tenths.
 int decimalsFor(const QuadMesh& mesh) {
@@ -53,23 +37,18 @@ void append(std::vector<float>& out, const glm::vec3& v) { out.insert(out.end(),
 
 void QuadShapes::write(base::Genus genus, const QuadMesh& mesh) {
   if (mesh.faces.empty()) return;
-  std::optional<glm::vec4> material;
-  if (nodes_.encoding() == Encoding::Vrml97) {
-    const glm::vec4 mean = meanColor(mesh);
-    if (mean.a < kThinOpacity) material = mean;
-  }
   const std::string name(base::abbreviation(genus));
-  shapes({"Look_" + name, "Sprites_" + name, atlas(genus).file}, mesh, material ? &*material : nullptr);
+  shapes({"Look_" + name, "Sprites_" + name, atlas(genus).file}, mesh);
 }
 
 void QuadShapes::writePictures(const std::string& look, const std::string& texture, const QuadMesh& mesh) {
-  shapes({"Look_" + look, "Pictures_" + look, texture}, mesh, nullptr);
+  shapes({"Look_" + look, "Pictures_" + look, texture}, mesh);
 }
 
-void QuadShapes::shapes(const Look& look, const QuadMesh& mesh, const glm::vec4* material) {
+void QuadShapes::shapes(const Look& look, const QuadMesh& mesh) {
   const std::span<const std::uint32_t> faces(mesh.faces);
   for (std::size_t i = 0; i < faces.size(); i += kFacesPerShape)
-    shape(look, mesh, faces.subspan(i, std::min(kFacesPerShape, faces.size() - i)), material);
+    shape(look, mesh, faces.subspan(i, std::min(kFacesPerShape, faces.size() - i)));
 }
 
 void QuadShapes::texture(const Look& look) {
@@ -80,27 +59,14 @@ void QuadShapes::texture(const Look& look) {
   nodes_.close();
 }
 
-void QuadShapes::appearance(const Look& look, const glm::vec4* material) {
-  if (material) {
-    nodes_.open("Appearance", "appearance");
-    nodes_.open("Material", "material");
-    nodes_.number("ambientIntensity", 0, 0);
-    nodes_.vector("diffuseColor", glm::vec3(0), 0);
-    nodes_.vector("emissiveColor", glm::vec3(*material), 3);
-    nodes_.number("transparency", 1 - material->a, 3);
-    nodes_.close();
-    texture(look);
-    nodes_.close();
-    return;
-  }
+void QuadShapes::appearance(const Look& look) {
   if (!defined_.insert(look.name).second) return nodes_.use("Appearance", "appearance", look.name);
   nodes_.open("Appearance", "appearance", look.name);
   texture(look);
   nodes_.close();
 }
 
-void QuadShapes::shape(const Look& look, const QuadMesh& mesh, std::span<const std::uint32_t> faces,
-                       const glm::vec4* material) {
+void QuadShapes::shape(const Look& look, const QuadMesh& mesh, std::span<const std::uint32_t> faces) {
   const bool vrml97 = nodes_.encoding() == Encoding::Vrml97;
   std::vector<float> points, textureBoxes, colors, opticalDepths;
   bool hasOpaque = false;
@@ -133,7 +99,7 @@ void QuadShapes::shape(const Look& look, const QuadMesh& mesh, std::span<const s
   }
 
   nodes_.open("Shape");
-  appearance(look, material);
+  appearance(look);
   nodes_.open(vrml97 ? "IndexedFaceSet" : "IndexedTriangleSet", "geometry");
   nodes_.integers(vrml97 ? "coordIndex" : "index", indices);
   if (hasOpaque && !vrml97) {
@@ -142,7 +108,7 @@ void QuadShapes::shape(const Look& look, const QuadMesh& mesh, std::span<const s
     nodes_.numbers("value", opticalDepths, 2, 2);
     nodes_.close();
   }
-  if (!material) {
+  if (!vrml97 || std::ranges::any_of(colors, [](float channel) { return channel < 1; })) {
     nodes_.open(vrml97 ? "Color" : "ColorRGBA", "color");
     nodes_.numbers("color", colors, vrml97 ? 3 : 4, vrml97 ? kColorDecimals : kAlphaDecimals);
     nodes_.close();

@@ -22,13 +22,12 @@ class QuadShapes {
       : nodes_(nodes), atlases_(atlases) {}
 
   /// One Shape in the open node's children, more of them if there are more than kFacesPerShape faces; none
-  /// for no face. Colours are unlit: X3D has an RGBA colour a vertex and no Material. VRML97 knows no opacity
-  /// a vertex: there a mesh that is thin on the whole gets one translucent emissive Material, any other its
-  /// colours without their opacity. X3D tells the optical depth of quads beside it, in order (0 where alpha
-  /// tells it), if some are so dense that alpha cannot.
+  /// for no face. Colours are unlit: an RGBA colour a vertex and no Material. The optical depth of quads stands
+  /// beside them, in order (0 where alpha tells it), if some are so dense that alpha cannot. Not for VRML97, which
+  /// knows no opacity a vertex.
   void write(base::Genus genus, const QuadMesh& mesh);
 
-  /// The same with a texture of its own, whose Appearance is named `look`; not for VRML97.
+  /// The same with a texture of its own, whose Appearance is named `look`; in VRML97 the quads are opaque but for it.
   void writePictures(const std::string& look, const std::string& texture, const QuadMesh& mesh);
 
   const std::vector<image::SpriteAtlas>& atlases() const { return atlases_; }
@@ -39,11 +38,10 @@ class QuadShapes {
   struct Look {
     std::string name, textureName, file;
   };
-  void shapes(const Look& look, const QuadMesh& mesh, const glm::vec4* material);
-  void appearance(const Look& look, const glm::vec4* material);
+  void shapes(const Look& look, const QuadMesh& mesh);
+  void appearance(const Look& look);
   void texture(const Look& look);
-  void shape(const Look& look, const QuadMesh& mesh, std::span<const std::uint32_t> faces,
-             const glm::vec4* material);
+  void shape(const Look& look, const QuadMesh& mesh, std::span<const std::uint32_t> faces);
 
   NodeWriter& nodes_;
   const std::vector<image::SpriteAtlas>& atlases_;

@@ -4,13 +4,16 @@
 #include "writer/copy_textures.hpp"
 #include "writer/x3d/clouds.hpp"
 #include "writer/x3d/environment.hpp"
+#include "writer/x3d/vrml97_clouds.hpp"
 
 namespace cloudgen::writer {
 namespace {
 
 void writeScene(const scene::Scene& scene, const Destination& destination, Encoding encoding,
                 const char* file) {
-  const auto atlases = copyTextures(scene, destination.folder);
+  const bool vrml97 = encoding == Encoding::Vrml97;  // all its clouds are pictures
+  const auto atlases = vrml97 ? std::vector<image::SpriteAtlas>{} : copyTextures(scene, destination.folder);
+  makeTexturesFolder(destination.folder);
   const Stage stage = stageOf(scene);
   const auto nodes = nodeWriter(encoding, destination.folder / file);
   QuadShapes shapes(*nodes, atlases);
@@ -20,7 +23,7 @@ void writeScene(const scene::Scene& scene, const Destination& destination, Encod
   std::vector<glm::vec3> flight;
   for (const glm::dvec3& place : destination.flight) flight.emplace_back(scene.frame.toScene(place.x, place.y, place.z));
   writeEnvironment(*nodes, scene, stage, head, flight);
-  writeClouds(*nodes, shapes, scene, stage, destination.folder, destination.progress);
+  (vrml97 ? writeVrml97Clouds : writeClouds)(*nodes, shapes, scene, stage, destination.folder, destination.progress);
   nodes->finish();
 }
 

@@ -12,7 +12,7 @@ void writeX3d(const scene::Scene& scene, const Destination& destination);
 /// Writes scene.x3dv, the same nodes in the ClassicVRML encoding, and textures/.
 void writeClassicVrml(const scene::Scene& scene, const Destination& destination);
 
-/// Writes scene.wrl (VRML97: IndexedFaceSet, no opacity a vertex, WorldInfo in the place of metadata) and
+/// Writes scene.wrl (VRML97: clouds as textured pictures that turn, WorldInfo in the place of metadata) and
 /// textures/.
 void writeVrml97(const scene::Scene& scene, const Destination& destination);
 

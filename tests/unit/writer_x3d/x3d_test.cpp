@@ -12,6 +12,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/text.hpp"
+#include "image/picture.hpp"
 #include "support/moving_scene.hpp"
 #include "support/scratch.hpp"
 #include "support/small_scene.hpp"
@@ -318,8 +319,50 @@ TEST_F(X3d, Vrml97KnowsOnlyNodesOfItsTime) {
   const std::string moving = written(writeVrml97, test::moving(test::smallScene()), "scene.wrl");
   for (const char* later : {"IndexedTriangleSet", "ColorRGBA", "Metadata", "centerOfRotation", "LOD {", "Sequencer"})
     EXPECT_EQ((text + moving).find(later), std::string::npos) << later;
-  EXPECT_NE(text.find("transparency"), std::string::npos);  // the thin cirrus
   EXPECT_NE(text.find("\"genus Ci\""), std::string::npos);
+}
+
+/// Viewers wait for each texture and each node.
+TEST_F(X3d, Vrml97ShowsEachCloudAsAPictureThatTurnsInOneTexture) {
+  const scene::Scene scene = test::smallScene();
+  const std::string text = written(writeVrml97, scene, "scene.wrl");
+  EXPECT_EQ(matches(text, R"re((url \[))re").size(), 1u);
+  EXPECT_TRUE(fs::exists(out() / "textures/vrml_clouds.png"));
+  EXPECT_EQ(matches(text, R"re(("cloud"))re").size(), scene.clouds.size());
+  const auto turning = matches(text, R"(DEF (Picture_\d+_shade\d) Group \{\s*children \[\s*Transform[^{]*\{[^{]*Billboard)");
+  EXPECT_GE(turning.size(), 1u);
+  const auto defined = matches(text, R"(DEF (Picture_\w+))"), used = matches(text, R"(USE (Picture_\w+))");
+  EXPECT_EQ(defined.size() + used.size(), scene.instances.size());
+}
+
+/// Of the clouds that are in the shadow of others, by the standard no colour reaches a texture.
+TEST_F(X3d, Vrml97PaintsShadowsIntoThePictures) {
+  scene::Scene scene = test::smallScene();
+  scene.instances.resize(1);
+  scene.clouds.resize(1);
+  const auto brightest = [&] {
+    written(writeVrml97, scene, "scene.wrl");
+    const std::string png = base::readFile(out() / "textures/vrml_clouds.png");
+    const image::ByteImage image = image::imageFromPng({reinterpret_cast<const unsigned char*>(png.data()), png.size()});
+    unsigned char most = 0;
+    for (std::size_t i = 1; i < image.bytes.size(); i += 4)
+      if (image.bytes[i + 2] > 200) most = std::max(most, image.bytes[i]);
+    return most;
+  };
+  const unsigned char inTheSun = brightest();
+  scene.instances[0].sunlight = 0;
+  EXPECT_LT(brightest(), inTheSun);
+  EXPECT_GT(brightest(), 0);
+}
+
+/// Those beyond have no node of their own, but are all there.
+TEST_F(X3d, Vrml97OfManyCloudsStaysShort) {
+  scene::Scene scene = manyClouds();
+  for (int i = 0; i < 4; ++i) scene.instances.insert(scene.instances.end(), scene.instances.begin(), scene.instances.begin() + 500);
+  const std::string text = written(writeVrml97, scene, "scene.wrl");
+  EXPECT_EQ(matches(text, R"((?:DEF|USE) (Picture_\w+))").size(), 1000u);
+  EXPECT_TRUE(fs::exists(out() / "textures/vrml_afar.png"));
+  EXPECT_LT(text.size(), 3u << 20);
 }
 
 TEST_F(X3d, ASceneWithoutCloudsIsWritten) {
