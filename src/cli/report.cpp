@@ -78,6 +78,7 @@ ordered_json motionOf(const pipeline::MovingSky& sky) {
   for (const pipeline::HourOfMotion& hour : sky.hours)
     hours.push_back({{"from", base::isoText(hour.from)},
                      {"to", base::isoText(hour.to)},
+                     {"stretches", hour.stretches},
                      {"matched", hour.matched},
                      {"matched_share", rounded(hour.matchedShare, 1e4)},
                      {"splits", hour.splits},
@@ -85,7 +86,8 @@ ordered_json motionOf(const pipeline::MovingSky& sky) {
                      {"births", hour.births},
                      {"deaths", hour.deaths},
                      {"wind_m_s", rounded(hour.windMetersPerSecond, 100)},
-                     {"drift_over_wind", rounded(hour.driftOverWind, 1e4)}});
+                     {"drift_over_wind", rounded(hour.driftOverWind, 1e4)},
+                     {"pattern_m_s", rounded(hour.patternMetersPerSecond, 100)}});
   return {{"hours", hours},
           {"lifetimes", sky.lifetimes},
           {"clouds", sky.scene.instances.size()},

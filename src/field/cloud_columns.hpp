@@ -29,6 +29,15 @@ struct ColumnState {
   float kIndexC = 0;  ///< K-index, George 1960; NaN where levels are missing
 };
 
+/// The wind somewhere in the air, cloudy or clear.
+struct WindAloft {
+  std::uint32_t cell = 0;  ///< of the grid
+  float heightMeters = 0, windEast = 0, windNorth = 0;  ///< m/s
+};
+
+/// Columns of the box in which the wind is kept at every level, as far as there are so many.
+inline constexpr std::size_t kWindColumns = 10'000;
+
 /// Sparse: only cloudy cells are kept. Column c (of `columns`) has the cells [start[c], start[c+1]), upwards.
 struct CloudColumns {
   Grid grid;
@@ -36,6 +45,7 @@ struct CloudColumns {
   std::vector<ColumnState> states;     ///< one a column
   std::vector<std::uint32_t> start;    ///< columns.size() + 1
   std::vector<CloudCell> cells;
+  std::vector<WindAloft> winds;  ///< of columns spread over all
   /// What was not in the input, and how it was made: (what, how), one line each.
   std::vector<std::pair<std::string, std::string>> derived;
 };

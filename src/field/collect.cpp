@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 
 #include "base/error.hpp"
@@ -94,6 +95,13 @@ Borders bordersAlone(const AirLevel& air, std::size_t column) {
           height + static_cast<float>(thickness(pressure, pressure - kPascals, kelvin))};
 }
 
+/// Between the columns whose wind is kept; shares no factor with the rows, so that they lie on slanted lines.
+std::size_t strideOver(const Grid& grid, std::size_t columns) {
+  std::size_t stride = (columns + kWindColumns - 1) / kWindColumns;
+  while (stride > 1 && std::gcd(stride, static_cast<std::size_t>(std::max(grid.columns, 1))) > 1) ++stride;
+  return std::max<std::size_t>(stride, 1);
+}
+
 class Collector {
  public:
   Collector(const Source& source, const std::vector<std::uint32_t>& cells, const LevelPlan& plan,
@@ -102,7 +110,8 @@ class Collector {
         derivations_(derivations),
         airMaker_(source.grid(), cells, surface_, derivations),
         hasCondensate_(hasAny(plan, isCondensate)),
-        hasHumidity_(plan.has(Quantity::RelativeHumidity) || plan.has(Quantity::SpecificHumidity)) {
+        hasHumidity_(plan.has(Quantity::RelativeHumidity) || plan.has(Quantity::SpecificHumidity)),
+        windStride_(strideOver(source.grid(), cells.size())) {
     if (!hasCondensate_ && !hasAny(plan, tellsHumidCloud))
       throw base::InputError(source.info().files.empty() ? "input" : source.info().files.front(),
                              "has neither cloud water nor humidity on any level",
@@ -172,6 +181,7 @@ class Collector {
   /// Keeps the cloudy cells of the level in the middle.
   void close(const std::vector<float>& heightsAbove) {
     const Slab& here = *here_;
+    keepWinds(here);
     const auto tellsCloud = [&](const auto& value) {
       return hasCondensate_ ? isCondensate(value.first) : tellsHumidCloud(value.first);
     };
@@ -185,6 +195,16 @@ class Collector {
       pending->cell.baseMeters = borders->base;
       pending->cell.topMeters = borders->top;
       pending_.push_back(*pending);
+    }
+  }
+
+  void keepWinds(const Slab& here) {
+    for (std::size_t c = 0; c < result_.columns.size(); c += windStride_) {
+      const WindAloft wind{result_.columns[c], here.air.heightMeters[c],
+                           within(here.value(Quantity::WindEast, c), -200, 200),
+                           within(here.value(Quantity::WindNorth, c), -200, 200)};
+      if (!belowSurface(here.air, c) && std::isfinite(wind.heightMeters + wind.windEast + wind.windNorth))
+        result_.winds.push_back(wind);
     }
   }
 
@@ -272,6 +292,7 @@ class Collector {
   Derivations& derivations_;
   AirMaker airMaker_;
   bool hasCondensate_, hasHumidity_;
+  std::size_t windStride_;
   CloudColumns result_;
   std::optional<Level> next_;
   std::optional<Slab> here_;

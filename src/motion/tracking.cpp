@@ -119,8 +119,7 @@ double likeness(const CarriedCloud& a, const CarriedCloud& b) {
   const double across = kReach * (a.widthMeters + b.widthMeters), apart = glm::distance(a.place, b.place);
   if (!(apart < across)) return 0;
   if (a.genus != b.genus && !kin(a.genus, b.genus)) return 0;
-  const double middleA = a.baseMeters + 0.5 * a.depthMeters, middleB = b.baseMeters + 0.5 * b.depthMeters;
-  const double rise = std::abs(middleA - middleB) / (1000 + 0.5 * (a.depthMeters + b.depthMeters));
+  const double rise = std::abs(a.middleMeters() - b.middleMeters()) / (1000 + 0.5 * (a.depthMeters + b.depthMeters));
   const double near = 1 - apart / across;
   return near * near * std::exp(-rise) * std::min(a.widthMeters, b.widthMeters) /
          std::max(a.widthMeters, b.widthMeters) * (a.genus == b.genus ? 1.0 : 0.5);

@@ -16,6 +16,8 @@ struct CarriedCloud {
   glm::dvec2 place{0};  ///< x and z of the scene
   float widthMeters = 0, baseMeters = 0, depthMeters = 0;
   base::Genus genus{};
+  float opticalDepth = 0;  ///< vertical
+  double middleMeters() const { return baseMeters + 0.5 * depthMeters; }
 };
 
 /// Which cloud of the other time this one is, or was.

@@ -108,14 +108,19 @@ glm::vec2 WindField::at(const glm::dvec2& place, double heightMeters) const {
   return (1 - share) * onLevel(below, square.x, square.y) + share * onLevel(below + 1, square.x, square.y);
 }
 
+glm::dvec2 WindBetween::at(const glm::dvec2& place, double heightMeters, double share) const {
+  return (1 - share) * glm::dvec2(before.at(place - share * way, heightMeters)) +
+         share * glm::dvec2(after.at(place + (1 - share) * way, heightMeters));
+}
+
 std::vector<glm::dvec2> pathOf(const WindBetween& wind, const glm::dvec2& place, double heightMeters, int intervals,
-                               bool backwards) {
+                               bool backwards, const Stretch& stretch) {
   constexpr int kSteps = 4;
-  const double direction = backwards ? -1 : 1, step = wind.seconds / (intervals * kSteps);
+  const double span = stretch.to - stretch.from, start = backwards ? stretch.to : stretch.from;
+  const double direction = backwards ? -1 : 1, step = span * wind.seconds / (intervals * kSteps);
   const auto windAt = [&](const glm::dvec2& where, double seconds) {
-    const double share = wind.seconds > 0 ? (backwards ? 1 - seconds / wind.seconds : seconds / wind.seconds) : 0;
-    return direction * ((1 - share) * glm::dvec2(wind.before.at(where, heightMeters)) +
-                        share * glm::dvec2(wind.after.at(where, heightMeters)));
+    const double share = wind.seconds > 0 ? start + direction * seconds / wind.seconds : start;
+    return direction * wind.at(where, heightMeters, share);
   };
   std::vector<glm::dvec2> path{place};
   glm::dvec2 here = place;

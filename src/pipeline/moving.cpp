@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "pipeline/moving_clouds.hpp"
 #include "pipeline/quantity.hpp"
+#include "pipeline/skies_between.hpp"
 #include "pipeline/steps.hpp"
 
 namespace cloudgen::pipeline {
@@ -17,36 +18,47 @@ namespace {
 /// The ground that clouds cover at most, as a weight.
 double ground(const motion::CarriedCloud& cloud) { return static_cast<double>(cloud.widthMeters) * cloud.widthMeters; }
 
-HourOfMotion hourOf(const Passage& passage, const CloudsOfTime& earlier, const CloudsOfTime& later) {
-  HourOfMotion hour;
-  double whole = 0, matched = 0, along = 0, square = 0, speed = 0;
-  for (std::size_t i = 0; i < earlier.clouds.size(); ++i) {
-    const motion::Fate& fate = passage.tracking.earlier[i];
-    whole += ground(earlier.clouds[i]);
-    if (!fate.partner) ++hour.deaths;
-    if (fate.partner && fate.aside) ++hour.mergers;
-    if (!fate.partner || fate.aside) continue;
-    ++hour.matched;
-    matched += ground(earlier.clouds[i]);
-    // What the wind alone does, from here on and up to there.
-    const auto &forwards = passage.forwards[i], &backwards = passage.backwards[*fate.partner];
-    const glm::dvec2 wind = 0.5 * (forwards.back() - forwards.front() + backwards.back() - backwards.front()),
-                     drift = backwards.back() - forwards.front();
-    along += glm::dot(drift, wind), square += glm::dot(wind, wind);
-    speed += glm::length(wind) / passage.seconds;
+/// What becomes of clouds over the stretches between two times.
+class Tally {
+ public:
+  void add(const Passage& passage, const CloudsOfTime& earlier, const CloudsOfTime& later) {
+    ++hour_.stretches;
+    for (std::size_t i = 0; i < earlier.clouds.size(); ++i) {
+      const motion::Fate& fate = passage.tracking.earlier[i];
+      whole_ += ground(earlier.clouds[i]);
+      if (!fate.partner) ++hour_.deaths;
+      if (fate.partner && fate.aside) ++hour_.mergers;
+      if (!fate.partner || fate.aside) continue;
+      ++hour_.matched;
+      matched_ += ground(earlier.clouds[i]);
+      // What the wind alone does, from here on and up to there.
+      const auto &forwards = passage.forwards[i], &backwards = passage.backwards[*fate.partner];
+      const glm::dvec2 wind = 0.5 * (forwards.back() - forwards.front() + backwards.back() - backwards.front()),
+                       drift = backwards.back() - forwards.front();
+      along_ += glm::dot(drift, wind), square_ += glm::dot(wind, wind);
+      speed_ += glm::length(wind) / passage.seconds;
+    }
+    for (std::size_t i = 0; i < later.clouds.size(); ++i) {
+      const motion::Fate& fate = passage.tracking.later[i];
+      whole_ += ground(later.clouds[i]);
+      if (!fate.partner) ++hour_.births;
+      if (fate.partner && fate.aside) ++hour_.splits;
+      if (fate.partner && !fate.aside) matched_ += ground(later.clouds[i]);
+    }
   }
-  for (std::size_t i = 0; i < later.clouds.size(); ++i) {
-    const motion::Fate& fate = passage.tracking.later[i];
-    whole += ground(later.clouds[i]);
-    if (!fate.partner) ++hour.births;
-    if (fate.partner && fate.aside) ++hour.splits;
-    if (fate.partner && !fate.aside) matched += ground(later.clouds[i]);
+
+  HourOfMotion result() const {
+    HourOfMotion hour = hour_;
+    hour.matchedShare = whole_ > 0 ? matched_ / whole_ : 1;
+    hour.driftOverWind = square_ > 0 ? along_ / square_ : 0;
+    hour.windMetersPerSecond = hour.matched > 0 ? speed_ / static_cast<double>(hour.matched) : 0;
+    return hour;
   }
-  hour.matchedShare = whole > 0 ? matched / whole : 1;
-  hour.driftOverWind = square > 0 ? along / square : 0;
-  hour.windMetersPerSecond = hour.matched > 0 ? speed / static_cast<double>(hour.matched) : 0;
-  return hour;
-}
+
+ private:
+  HourOfMotion hour_;
+  double whole_ = 0, matched_ = 0, along_ = 0, square_ = 0, speed_ = 0;
+};
 
 /// Joins scenes of one frame: archetypes by name, light by archetype and heading, clouds one after another.
 class Join {
@@ -104,23 +116,79 @@ bool sameCells(const field::Grid& a, const field::Grid& b) {
          corner(a).latitudeDegrees == corner(b).latitudeDegrees;
 }
 
-/// Identity: the clouds of a chain bear the number of its first. Returns how many chains are there at n + 1 times.
-std::vector<std::uint64_t> nameChains(const std::vector<Passage>& passages,
-                                      const std::vector<std::uint32_t>& firstOfTime, scene::Scene& scene) {
-  std::vector<std::uint64_t> lifetimes(passages.size() + 1, 0);
+/// All skies of a film, those of the times and those between.
+struct Skies {
+  std::vector<CloudsOfTime> clouds;
+  std::vector<Passage> passages;        ///< one fewer
+  std::vector<std::uint32_t> ofTimes;   ///< which of them are those of the times
+  std::vector<std::uint32_t> first{0};  ///< instance of each, and the end
+};
+
+/// Cuts the time between where the wind needs it, tracks the clouds from sky to sky, and orders the instances of the
+/// joined scene by skies: those between have copies of their own.
+Skies skiesOf(const std::vector<base::UtcTime>& times, std::vector<CloudsOfTime>&& clouds,
+              const std::vector<motion::WindField>& winds, scene::Scene& scene, std::vector<HourOfMotion>& hours) {
+  Skies skies;
+  const std::vector<scene::Instance> instances = std::move(scene.instances);
+  const std::vector<scene::CloudRecord> records = std::move(scene.clouds);
+  scene.instances.clear(), scene.clouds.clear();
+  const auto place = [&](std::size_t instance, const glm::dvec2& shift) {
+    scene.instances.push_back(instances[instance]);
+    scene.clouds.push_back(records[instance]);
+    scene.instances.back().position += glm::vec3(shift.x, 0, shift.y);
+  };
+  const auto finishSky = [&] { skies.first.push_back(static_cast<std::uint32_t>(scene.instances.size())); };
+  std::size_t start = 0;
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    const std::size_t next = start + clouds[k].clouds.size();
+    for (std::size_t i = start; i < next; ++i) place(i, glm::dvec2(0));
+    finishSky();
+    skies.ofTimes.push_back(static_cast<std::uint32_t>(skies.clouds.size()));
+    skies.clouds.push_back(clouds[k]);
+    if (k + 1 == times.size()) break;
+    motion::WindBetween wind{winds[k], winds[k + 1], static_cast<double>(times[k + 1].seconds - times[k].seconds),
+                             motion::wayOfPattern(winds[k], winds[k + 1])};
+    const int stretches = stretchesBetween(clouds[k], clouds[k + 1], wind);
+    for (SkyBetween& sky : skiesBetween(clouds[k], clouds[k + 1], wind.way, stretches)) {
+      for (const SkyBetween::Origin& origin : sky.origins)
+        place((origin.later ? next : start) + origin.cloud, origin.shift);
+      finishSky();
+      skies.clouds.push_back(std::move(sky.clouds));
+    }
+    skies.clouds.push_back(clouds[k + 1]);
+    Tally tally;
+    for (int i = 0; i < stretches; ++i) {
+      const std::size_t before = skies.ofTimes.back() + static_cast<std::size_t>(i);
+      const double length = 1.0 / stretches;
+      skies.passages.push_back(passageOf(skies.clouds[before], skies.clouds[before + 1], wind,
+                                         {i * length, i + 1 == stretches ? 1 : (i + 1) * length}));
+      tally.add(skies.passages.back(), skies.clouds[before], skies.clouds[before + 1]);
+    }
+    skies.clouds.pop_back();
+    hours.push_back(tally.result());
+    hours.back().from = times[k], hours.back().to = times[k + 1];
+    hours.back().patternMetersPerSecond = glm::length(wind.way) / wind.seconds;
+    start = next;
+  }
+  return skies;
+}
+
+/// Identity: the clouds of a chain bear the number of its first. Returns how many chains are there in n + 1 skies.
+std::vector<std::uint64_t> nameChains(const Skies& skies, scene::Scene& scene) {
+  std::vector<std::uint64_t> lifetimes(skies.clouds.size(), 0);
   std::vector<std::uint32_t> ages(scene.clouds.size(), 1);
-  for (std::size_t k = 0; k <= passages.size(); ++k) {
-    const std::uint32_t first = firstOfTime[k], end = firstOfTime[k + 1];
+  for (std::size_t k = 0; k < skies.clouds.size(); ++k) {
+    const std::uint32_t first = skies.first[k], end = skies.first[k + 1];
     for (std::uint32_t cloud = first; cloud < end; ++cloud) {
       const auto goesOn = [&] {
-        if (k == passages.size()) return false;
-        const motion::Fate& fate = passages[k].tracking.earlier[cloud - first];
+        if (k == skies.passages.size()) return false;
+        const motion::Fate& fate = skies.passages[k].tracking.earlier[cloud - first];
         return fate.partner.has_value() && !fate.aside;
       };
       if (k > 0) {
-        const motion::Fate& fate = passages[k - 1].tracking.later[cloud - first];
+        const motion::Fate& fate = skies.passages[k - 1].tracking.later[cloud - first];
         if (fate.partner && !fate.aside) {
-          const std::uint32_t before = firstOfTime[k - 1] + *fate.partner;
+          const std::uint32_t before = skies.first[k - 1] + *fate.partner;
           scene.clouds[cloud].id = scene.clouds[before].id;
           ages[cloud] = ages[before] + 1;
         }
@@ -131,20 +199,21 @@ std::vector<std::uint64_t> nameChains(const std::vector<Passage>& passages,
   return lifetimes;
 }
 
-void setMotions(const std::vector<Passage>& passages, const std::vector<CloudsOfTime>& clouds, scene::Scene& scene) {
-  std::vector<std::uint32_t> keyOfTime{0};
+void setMotions(const Skies& skies, scene::Scene& scene) {
+  const auto& [clouds, passages, ofTimes, first] = skies;
+  std::vector<std::uint32_t> keyOfSky{0};
   scene.keySeconds = {0};
   for (const Passage& passage : passages) {
     const double start = scene.keySeconds.back();
     for (int i = 1; i <= passage.intervals; ++i)
       scene.keySeconds.push_back(start + passage.seconds * i / passage.intervals);
-    keyOfTime.push_back(static_cast<std::uint32_t>(scene.keySeconds.size() - 1));
+    keyOfSky.push_back(static_cast<std::uint32_t>(scene.keySeconds.size() - 1));
   }
-  for (const std::uint32_t key : keyOfTime) scene.timeSeconds.push_back(scene.keySeconds[key]);
+  for (const std::uint32_t sky : ofTimes) scene.timeSeconds.push_back(scene.keySeconds[keyOfSky[sky]]);
   for (std::size_t k = 0; k < clouds.size(); ++k)
     for (std::uint32_t cloud = 0; cloud < clouds[k].clouds.size(); ++cloud) {
       scene::Motion motion;
-      motion.firstKey = keyOfTime[k > 0 ? k - 1 : 0];
+      motion.firstKey = keyOfSky[k > 0 ? k - 1 : 0];
       if (k > 0) motion.moments = coming(passages[k - 1], clouds[k - 1], clouds[k], cloud);
       if (k < passages.size()) {
         if (k > 0) motion.moments.pop_back();
@@ -173,7 +242,9 @@ MovingSky runTimes(const std::vector<base::UtcTime>& times, const OpenTime& open
                                                    located[fullest].origin.cells, options, located[fullest].table);
   FootprintBook footprints(options, general);
   std::vector<CloudsOfTime> clouds;
+  std::vector<motion::WindField> winds;
   for (std::size_t k = 0; k < times.size(); ++k) {
+    winds.push_back(windOf(located[k]));
     if (k != fullest)
       placeClouds(located[k].grid, located[k].origin.frame, located[k].origin.cells, options, general,
                   footprints, located[k].table);
@@ -183,7 +254,6 @@ MovingSky runTimes(const std::vector<base::UtcTime>& times, const OpenTime& open
   std::optional<MovingSky> sky;
   std::optional<Join> join;
   light::Sun firstSun;
-  std::vector<std::uint32_t> firstOfTime{0};
   for (std::size_t k = 0; k < times.size(); ++k) {
     const auto source = open(times[k]);
     // What is lit once and for all is lit alike at all times: clouds of two times stand side by side.
@@ -191,7 +261,6 @@ MovingSky runTimes(const std::vector<base::UtcTime>& times, const OpenTime& open
     located[k].origin.sun = firstSun;
     located[k].origin.sky = light::skyUnder(firstSun);
     Outcome outcome = finish(std::move(located[k]), *source, general, options, progress);
-    firstOfTime.push_back(firstOfTime.back() + static_cast<std::uint32_t>(outcome.scene.instances.size()));
     if (k == 0) {
       join.emplace(outcome.scene);
       scene::Scene empty{outcome.scene.frame};
@@ -201,15 +270,10 @@ MovingSky runTimes(const std::vector<base::UtcTime>& times, const OpenTime& open
     }
   }
   progress.step("motion", 0.9);
-  std::vector<Passage> passages;
-  for (std::size_t k = 0; k + 1 < times.size(); ++k) {
-    passages.push_back(passageOf(clouds[k], clouds[k + 1], static_cast<double>(times[k + 1].seconds - times[k].seconds)));
-    sky->hours.push_back(hourOf(passages.back(), clouds[k], clouds[k + 1]));
-    sky->hours.back().from = times[k], sky->hours.back().to = times[k + 1];
-  }
   sky->scene = std::move(join->whole());
-  setMotions(passages, clouds, sky->scene);
-  sky->lifetimes = nameChains(passages, firstOfTime, sky->scene);
+  const Skies skies = skiesOf(times, std::move(clouds), winds, sky->scene, sky->hours);
+  setMotions(skies, sky->scene);
+  sky->lifetimes = nameChains(skies, sky->scene);
   return std::move(*sky);
 }
 

@@ -22,6 +22,16 @@ scene::Moment formed(double share) {
           share > 0 ? 1.0f : 0.0f};
 }
 
+/// Two dense clouds of one size over one another, each half as dense, cover this much more than either: their edges
+/// differ.
+constexpr double kMoreOfTwo = 0.2;
+
+/// Of a pair, the one that is there by a share: smaller and denser by what two cover more.
+scene::Moment ofPair(double share, float growth, float opticalDepth) {
+  const double more = 1 + kMoreOfTwo * (1 - std::exp(-0.5 * opticalDepth)) * 4 * share * (1 - share);
+  return {glm::vec3(0), growth / static_cast<float>(std::sqrt(more)), static_cast<float>(share * more)};
+}
+
 /// Of a width on the way to another, over its own: the area goes evenly.
 float grown(float width, float towards, double share) {
   const double ratio = towards / width;
@@ -74,21 +84,22 @@ std::vector<scene::Moment> momentsOf(const Passage& passage, const CloudsOfTime&
   const motion::CarriedCloud& own = (comes ? later : earlier).clouds[cloud];
   const motion::Fate& fate = (comes ? passage.tracking.later : passage.tracking.earlier)[cloud];
   const auto& way = (comes ? passage.backwards : passage.forwards)[cloud];
+  // Who crosses the border neither forms nor dissolves: all of it is there as long as it is within.
+  const bool crosses = !fate.partner && leftBeyond(earlier, own, comes ? way.front() : way.back()) <= kLeastGrowth;
   std::vector<scene::Moment> moments;
   for (int i = 0; i <= passage.intervals; ++i) {
     const auto at = static_cast<std::size_t>(i);
     const double share = static_cast<double>(i) / passage.intervals, away = comes ? 1 - share : share;
     glm::dvec2 place = way[at];
     double base = own.baseMeters;
-    scene::Moment moment = formed(1 - away);
+    scene::Moment moment = formed(crosses && away < 1 ? 1 : 1 - away);
     if (fate.partner) {
       const motion::CarriedCloud& partner = (comes ? earlier : later).clouds[*fate.partner];
       place = comes ? placeOfPair(passage.forwards[*fate.partner], way, at)
                     : placeOfPair(way, passage.backwards[*fate.partner], at);
       base += away * (partner.baseMeters - own.baseMeters);
       if (!fate.aside)
-        moment = {glm::vec3(0), grown(own.widthMeters, partner.widthMeters, away),
-                  static_cast<float>(1 - away)};
+        moment = ofPair(1 - away, grown(own.widthMeters, partner.widthMeters, away), own.opticalDepth);
     }
     moment.growth *= leftBeyond(earlier, own, place);
     moment.shift = shiftOf(place, own, base);
@@ -97,49 +108,61 @@ std::vector<scene::Moment> momentsOf(const Passage& passage, const CloudsOfTime&
   return moments;
 }
 
+/// A sequence that fills the square evenly however far it has come (Roberts 2018, "The unreasonable effectiveness of
+/// quasirandom sequences"), by row and column instead of one after another: few neighbours turn together.
+float turnOf(const field::Grid& grid, std::uint32_t cell) {
+  constexpr double kAcross = 0.7548776662466927, kDown = 0.5698402909980532;
+  const auto columns = static_cast<std::uint32_t>(std::max(grid.columns, 1));
+  const double turn = 0.5 + (cell % columns) * kAcross + (cell / columns) * kDown;
+  return static_cast<float>(turn - std::floor(turn));
+}
+
 }  // namespace
 
 CloudsOfTime cloudsOfTime(const field::Grid& grid, const base::LocalFrame& frame,
                           const field::CloudTable& table) {
-  std::vector<motion::WindSample> samples;
-  const auto sample = [&](const field::GeoPoint& point, const glm::dvec2& place, float height, double east,
-                          double north) {
-    const glm::dvec2 direction = frame.eastDirection(point.longitudeDegrees, point.latitudeDegrees);
-    samples.push_back(
-        {place, height,
-         glm::vec2(east * direction.x + north * direction.y, east * direction.y - north * direction.x)});
-  };
-  for (const field::Layer& layer : table.layers) {
-    const field::GeoPoint point = field::centerOf(grid, layer.cell);
-    const glm::dvec3 at = frame.toScene(point.longitudeDegrees, point.latitudeDegrees, 0);
-    const glm::dvec2 place(at.x, at.z);
-    for (const float share : {-0.5f, 0.0f, 0.5f})
-      sample(point, place, layer.baseMeters + (0.5f + share) * layer.depthMeters(),
-             layer.windEast + share * layer.shearEast, layer.windNorth + share * layer.shearNorth);
-  }
-  CloudsOfTime out{{}, {frame.lowerCorner(), frame.upperCorner(), samples}, frame.lowerCorner(), frame.upperCorner()};
+  CloudsOfTime out{{}, {}, frame.lowerCorner(), frame.upperCorner()};
   for (const field::Cloud& cloud : table.clouds) {
     const glm::dvec3 at = frame.toScene(cloud.longitudeDegrees, cloud.latitudeDegrees, cloud.baseMeters);
-    out.clouds.push_back({{at.x, at.z},
-                          cloud.widthMeters,
-                          cloud.baseMeters,
-                          cloud.depthMeters,
-                          table.layers[cloud.layer].genus});
+    const field::Layer& layer = table.layers[cloud.layer];
+    out.clouds.push_back({{at.x, at.z}, cloud.widthMeters, cloud.baseMeters, cloud.depthMeters, layer.genus,
+                          cloud.opticalDepth});
+    out.turns.push_back(turnOf(grid, layer.cell));
   }
   return out;
 }
 
-Passage passageOf(const CloudsOfTime& earlier, const CloudsOfTime& later, double seconds) {
+motion::WindField windOf(const Located& located) {
+  const base::LocalFrame& frame = located.origin.frame;
+  std::vector<motion::WindSample> samples;
+  const auto sample = [&](const field::Grid& grid, std::uint32_t cell, float height, double east, double north) {
+    const field::GeoPoint point = field::centerOf(grid, cell);
+    const glm::dvec3 at = frame.toScene(point.longitudeDegrees, point.latitudeDegrees, 0);
+    const glm::dvec2 direction = frame.eastDirection(point.longitudeDegrees, point.latitudeDegrees);
+    samples.push_back({{at.x, at.z},
+                       height,
+                       glm::vec2(east * direction.x + north * direction.y, east * direction.y - north * direction.x)});
+  };
+  for (const field::WindAloft& wind : located.winds)
+    sample(located.windGrid, wind.cell, wind.heightMeters, wind.windEast, wind.windNorth);
+  if (samples.empty())
+    for (const field::Layer& layer : located.table.layers)
+      for (const float share : {-0.5f, 0.0f, 0.5f})
+        sample(located.grid, layer.cell, layer.baseMeters + (0.5f + share) * layer.depthMeters(),
+               layer.windEast + share * layer.shearEast, layer.windNorth + share * layer.shearNorth);
+  return {frame.lowerCorner(), frame.upperCorner(), samples};
+}
+
+Passage passageOf(const CloudsOfTime& earlier, const CloudsOfTime& later, const motion::WindBetween& wind,
+                  const motion::Stretch& stretch) {
   constexpr std::size_t kFine = 24;
   Passage passage;
-  passage.seconds = seconds;
-  const motion::WindBetween wind{earlier.wind, later.wind, seconds};
+  passage.seconds = (stretch.to - stretch.from) * wind.seconds;
   const auto waysOf = [&](const CloudsOfTime& time, bool backwards) {
     std::vector<std::vector<glm::dvec2>> ways(time.clouds.size());
     base::parallelFor(ways.size(), [&](std::size_t i) {
       const motion::CarriedCloud& cloud = time.clouds[i];
-      ways[i] =
-          motion::pathOf(wind, cloud.place, cloud.baseMeters + 0.5 * cloud.depthMeters, kFine, backwards);
+      ways[i] = motion::pathOf(wind, cloud.place, cloud.middleMeters(), kFine, backwards, stretch);
       if (backwards) std::reverse(ways[i].begin(), ways[i].end());
     });
     return ways;

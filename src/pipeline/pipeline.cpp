@@ -21,13 +21,16 @@ namespace {
 
 using Cells = std::vector<std::uint32_t>;
 
-std::vector<field::Layer> layersFrom(const field::Source& source, const Cells& cells, Outcome& outcome) {
+using Winds = std::vector<field::WindAloft>;
+
+std::vector<field::Layer> layersFrom(const field::Source& source, const Cells& cells, Outcome& outcome, Winds& winds) {
   if (source.telling() == field::Telling::Layers) {
     auto layers = locateLayers(source, cells);
     outcome.cells = layers.size();
     return layers;
   }
-  const field::CloudColumns columns = field::collectColumns(source, cells);
+  field::CloudColumns columns = field::collectColumns(source, cells);
+  winds = std::move(columns.winds);
   outcome.cells = columns.cells.size();
   outcome.derived = columns.derived;
   outcome.derived.emplace_back("cover of a layer", "maximum overlap of its levels");
@@ -37,14 +40,15 @@ std::vector<field::Layer> layersFrom(const field::Source& source, const Cells& c
 
 /// The layers of the model and of the typing joined on the finer grid, in the cells of the box.
 std::vector<field::Layer> pairedLayersFrom(const field::Source& model, const field::Source& typing,
-                                           bool typingFiner, const Origin& origin, Outcome& outcome) {
+                                           bool typingFiner, const Origin& origin, Outcome& outcome,
+                                           Winds& winds) {
   const base::GeoBox& box = origin.frame.box();
   const base::GeoBox grown = grownBox(model.grid(), typing.grid(), box);
   const base::GeoBox around = grownBox(model.grid(), typing.grid(), grown);
   const Cells modelCells = field::cellsTouching(model.grid(), typingFiner ? around : grown),
               typingCells = field::cellsTouching(typing.grid(), typingFiner ? grown : around);
   auto paired =
-      pairLayers(model.grid(), layersFrom(model, modelCells, outcome), typing.grid(),
+      pairLayers(model.grid(), layersFrom(model, modelCells, outcome, winds), typing.grid(),
                  locateLayers(typing, typingCells), typingFiner, typingFiner ? typingCells : modelCells);
   std::erase_if(paired.layers, [&](const field::Layer& layer) {
     return !std::binary_search(origin.cells.begin(), origin.cells.end(), layer.cell);
@@ -75,8 +79,9 @@ Located locate(const field::Source& source, const Options& options, const base::
 
   progress.step("location", 0.05);
   field::CloudTable table;
-  table.layers = typing ? pairedLayersFrom(source, *typing, typingFiner, origin, outcome)
-                        : layersFrom(source, origin.cells, outcome);
+  Winds winds;
+  table.layers = typing ? pairedLayersFrom(source, *typing, typingFiner, origin, outcome, winds)
+                        : layersFrom(source, origin.cells, outcome, winds);
   outcome.layers = table.layers.size();
   outcome.patches = joinPatches(grid, table.layers);
 
@@ -84,12 +89,12 @@ Located locate(const field::Source& source, const Options& options, const base::
   auto surroundings = typeLayers(grid, table.layers);
   outcome.isccp = isccpConfusion(table.layers);
   return {grid, std::move(origin), std::move(table), std::move(surroundings), std::move(outcome),
-          typing ? overlay.typedShare : 1.0};
+          typing ? overlay.typedShare : 1.0, source.grid(), std::move(winds)};
 }
 
 Outcome finish(Located&& located, const field::Source& source, const Generalisation& general, const Options& options,
                const base::Progress& progress) {
-  auto& [grid, origin, table, surroundings, outcome, typedShare] = located;
+  auto& [grid, origin, table, surroundings, outcome, typedShare, windGrid, winds] = located;
   outcome.enlargement = enlargementOf(general, table.layers, options);
   standOnTerrain(origin.ground, origin.frame, table);
 

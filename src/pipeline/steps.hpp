@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "field/cloud_columns.hpp"
 #include "pipeline/generalisation.hpp"
 #include "pipeline/origin.hpp"
 #include "pipeline/pipeline.hpp"
@@ -16,6 +17,8 @@ struct Located {
   std::vector<Surroundings> surroundings;
   Outcome outcome;
   double typedShare = 1;  ///< of the box, with a typing
+  field::Grid windGrid;   ///< whose cells the winds are in
+  std::vector<field::WindAloft> winds;
 };
 
 /// Origin, location and type.

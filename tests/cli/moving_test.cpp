@@ -61,6 +61,41 @@ TEST_F(Moving, AllTimesAreOneSky) {
   EXPECT_FALSE(std::filesystem::exists(frames + "/00005.png"));
 }
 
+/// In a hurricane the air of the box is another one after three hours: its clouds are followed over stretches of them.
+TEST(MovingStorm, CloudsAreFollowedAndCoverGoesEvenly) {
+  const std::string storm = std::string(CLOUDGEN_SHARED_DIR) + "/data/wrfout_katrina_mercator_20050828.nc";
+  if (!std::filesystem::exists(storm)) GTEST_SKIP() << "no " << storm;
+  const Scratch folder;
+  const std::string out = folder.path() / "storm";
+  const Ran built = runCloudgen({"build", storm, "--time", "all", "--max-puffs", "3000", "--formats", "pack", "--json", "-o", out});
+  ASSERT_EQ(built.exitCode, 0) << built.err;
+  const json report = json::parse(built.out);
+  expectFitsSchema(report, "report.schema.json");
+  ASSERT_EQ(report.at("motion").at("hours").size(), 3u);
+  for (const json& hour : report.at("motion").at("hours")) {
+    EXPECT_GT(hour.at("matched_share").get<double>(), 0.4);
+    EXPECT_NEAR(hour.at("drift_over_wind").get<double>(), 1, 0.15);
+    EXPECT_GT(hour.at("stretches").get<int>(), 1);
+  }
+  for (const std::string time : {"2005-08-28T12:12Z", "2005-08-28T13:30Z", "2005-08-28T17:00Z", "2005-08-28T19:40Z"}) {
+    const Ran verified = runCloudgen({"verify", out, "--against", storm, "--time", time, "--json"});
+    EXPECT_EQ(verified.exitCode, 0) << time;
+    const json found = json::parse(verified.out);
+    expectFitsSchema(found, "verify_between.schema.json");
+    EXPECT_NEAR(found.at("cover").at("total").at("bias").get<double>(), 0, 0.03) << time;
+  }
+}
+
+/// Between two of its times, too, against the model in between.
+TEST_F(Moving, CoverGoesEvenlyFromTimeToTime) {
+  ASSERT_EQ(build({"--time", "all"}).exitCode, 0);
+  for (const std::string time : {"2019-01-01T00:30Z", "2019-01-01T06:15Z", "2019-01-01T11:45Z"}) {
+    const Ran verified = runCloudgen({"verify", out, "--against", forecast, "--time", time, "--json"});
+    EXPECT_EQ(verified.exitCode, 0) << time;
+    EXPECT_NEAR(json::parse(verified.out).at("cover").at("total").at("bias").get<double>(), 0, 0.03) << time;
+  }
+}
+
 /// At a later time the sky is as near to the model as at the first.
 TEST_F(Moving, IsVerifiedAtAnyOfItsTimes) {
   const Ran built = build({"--time", "all", "--json"});

@@ -62,5 +62,59 @@ TEST(Path, TakesTheWindOfItsTime) {
   EXPECT_NEAR(path[2].x, 1000 + 18'000, 1);
 }
 
+/// Wind around an eye, strongest at 12 km from it, dying off further out.
+WindField storm(const glm::dvec2& eye) {
+  std::vector<WindSample> samples;
+  for (int row = 0; row < 96; ++row)
+    for (int column = 0; column < 96; ++column) {
+      const glm::dvec2 place((column + 0.5) * 1000, (row + 0.5) * 1000), from = (place - eye) / 12'000.0;
+      samples.push_back({place, 1000, glm::vec2(glm::dvec2(from.y, -from.x) * (40 * std::exp(0.5 - 0.5 * glm::dot(from, from))))});
+    }
+  return {kLower, kUpper, samples};
+}
+
+TEST(Pattern, IsSeenToMove) {
+  const glm::dvec2 eye(44'000, 52'000), way(11'000, -6'500);
+  const WindField before = storm(eye), after = storm(eye + way);
+  EXPECT_LT(glm::distance(wayOfPattern(before, after), way), 700);
+  EXPECT_LT(glm::distance(wayOfPattern(after, before), -way), 700);
+}
+
+TEST(Pattern, StandsStillWhereNoneIsSeen) {
+  const std::vector<WindSample> even{{{5000, 7000}, 3000, {20, -2}}}, stronger{{{5000, 7000}, 3000, {24, 0}}};
+  const WindField before(kLower, kUpper, even), after(kLower, kUpper, stronger);
+  EXPECT_EQ(wayOfPattern(before, before), glm::dvec2(0));
+  EXPECT_EQ(wayOfPattern(before, after), glm::dvec2(0));
+  EXPECT_EQ(wayOfPattern(storm({48'000, 48'000}), storm({48'000, 48'000})), glm::dvec2(0));
+}
+
+/// Halfway the eye is halfway, and around it blows the storm; winds blended in one place have neither.
+TEST(Path, TakesTheEyeAlong) {
+  const glm::dvec2 eye(36'000, 52'000), way(18'000, -6000);
+  const WindField before = storm(eye), after = storm(eye + way);
+  const WindBetween moved{before, after, 7200, way}, blended{before, after, 7200};
+  const glm::dvec2 halfway = eye + 0.5 * way, beside = halfway + glm::dvec2(0, 12'000);
+  EXPECT_LT(glm::length(moved.at(halfway, 1000, 0.5)), 1);
+  EXPECT_NEAR(moved.at(beside, 1000, 0.5).x, 40, 1);
+  EXPECT_LT(blended.at(beside, 1000, 0.5).x, 36);
+  // Air near the eye goes along with it.
+  const auto path = pathOf(moved, eye + glm::dvec2(9000, 0), 1000, 24, false);
+  for (std::size_t i = 0; i < path.size(); ++i)
+    EXPECT_LT(glm::distance(path[i], eye + static_cast<double>(i) / 24 * way), 14'000);
+}
+
+/// The stretches of a way are the way.
+TEST(Path, MayBeCut) {
+  const WindField before = storm({44'000, 52'000}), after = storm({48'000, 48'000});
+  const WindBetween wind{before, after, 3600, {4000, -4000}};
+  const glm::dvec2 place(40'000, 40'000);
+  const auto whole = pathOf(wind, place, 1000, 8, false), half = pathOf(wind, place, 1000, 4, false, {0, 0.5}),
+             rest = pathOf(wind, half.back(), 1000, 4, false, {0.5, 1});
+  EXPECT_LT(glm::distance(half.back(), whole[4]), 1);
+  EXPECT_LT(glm::distance(rest.back(), whole[8]), 1);
+  const auto back = pathOf(wind, rest.back(), 1000, 4, true, {0.5, 1});
+  EXPECT_LT(glm::distance(back.back(), half.back()), 20);
+}
+
 }  // namespace
 }  // namespace cloudgen::motion

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <glm/geometric.hpp>
 #include <set>
 
 #include "base/error.hpp"
 #include "base/thread.hpp"
+#include "input/catalogue.hpp"
 #include "support/made_source.hpp"
 #include "support/painted_sky.hpp"
 
@@ -62,6 +64,25 @@ test::PaintedSky::Seen seenAt(const MovingSky& sky, double seconds) {
     all.opticalDepth += depth;
   }
   return all;
+}
+
+/// How far clouds go round a place counter-clockwise (seen from above), in the mean over those that are there for a
+/// stretch and its neighbours, each from the first of its moments to the last at which all of it is there.
+double metersRound(const MovingSky& sky, const glm::dvec3& eye) {
+  double round = 0, count = 0;
+  for (std::size_t i = 0; i < sky.scene.instances.size(); ++i) {
+    std::vector<glm::dvec2> way;
+    for (const scene::Moment& moment : sky.scene.motions[i].moments)
+      if (moment.presence > 0 && moment.growth > 0.3f) {
+        const glm::dvec3 place(sky.scene.instances[i].position + moment.shift);
+        way.emplace_back(place.x - eye.x, place.z - eye.z);
+      }
+    if (way.size() < 2) continue;
+    const glm::dvec2 middle = 0.5 * (way.front() + way.back()), along = way.back() - way.front();
+    round += glm::dot(along, glm::normalize(glm::dvec2(middle.y, -middle.x)));
+    count += 1;
+  }
+  return count > 0 ? round / count : 0;
 }
 
 TEST(Moving, AtItsTimesTheSkyIsThatOfTheTime) {
@@ -183,6 +204,48 @@ TEST(Moving, IsTheSameForAnyNumberOfThreads) {
     ASSERT_EQ(a.size(), b.size());
     for (std::size_t k = 0; k < a.size(); ++k) EXPECT_TRUE(a[k].shift == b[k].shift && a[k].growth == b[k].growth);
   }
+}
+
+/// Over three hours the air of the box is another one; its clouds are not.
+TEST(Moving, AStormTurnsItsClouds) {
+  // Counter-clockwise, at most 30 m/s, 60 km from an eye at the north-eastern corner of the box.
+  const auto open = [](base::UtcTime time) {
+    auto source = std::make_unique<test::MadeSource>(10, 46, 0.125, 16, 16);
+    source->setTime(time);
+    field::StatedLayer layer = test::stratocumulusLayer(0.5f);
+    for (std::uint32_t cell = 0; cell < source->grid().size(); ++cell) {
+      const field::GeoPoint at = field::centerOf(source->grid(), cell);
+      const double east = 77'500 * (at.longitudeDegrees - 12), north = 111'200 * (at.latitudeDegrees - 48);
+      const double turning = 1e-3 / (1 + std::pow(std::hypot(east, north) / 60'000, 2));
+      layer.cell = cell, layer.windEast = static_cast<float>(-turning * north), layer.windNorth = static_cast<float>(turning * east);
+      source->layers.push_back(layer);
+    }
+    return source;
+  };
+  const MovingSky sky = runTimes({{kFirst.seconds}, {kFirst.seconds + 10'800}}, open, test::usualOptions(20'000), {});
+  EXPECT_GT(sky.hours[0].stretches, 1);
+  EXPECT_GT(sky.hours[0].matchedShare, 0.3);
+  EXPECT_NEAR(sky.hours[0].driftOverWind, 1, 0.15);
+  EXPECT_GT(metersRound(sky, glm::dvec3(sky.scene.frame.toScene(12, 48, 0))), 5000);
+  for (const double seconds : {675.0, 2000.0, 5400.0, 9000.0}) EXPECT_NEAR(seenAt(sky, seconds).cover(), seenAt(sky, 0).cover(), 0.03) << seconds;
+}
+
+/// A hurricane of the northern hemisphere, three hours from one time to the next.
+TEST(Moving, KatrinaTurnsCounterClockwise) {
+  const std::string file = std::string(CLOUDGEN_SHARED_DIR) + "/data/wrfout_katrina_mercator_20050828.nc";
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << "no " << file;
+  const auto open = [&](base::UtcTime time) {
+    input::OpenOptions options;
+    options.time = time;
+    return input::open({file}, options);
+  };
+  const std::vector<base::UtcTime> times{base::utcFromCivil(2005, 8, 28, 12), base::utcFromCivil(2005, 8, 28, 15)};
+  const MovingSky sky = runTimes(times, open, test::usualOptions(2000), {});
+  EXPECT_GT(sky.hours[0].matchedShare, 0.3);
+  EXPECT_NEAR(sky.hours[0].driftOverWind, 1, 0.15);
+  // The eye is where the pressure is least: at the north-eastern corner of the file.
+  const base::GeoBox& box = sky.scene.frame.box();
+  EXPECT_GT(metersRound(sky, glm::dvec3(sky.scene.frame.toScene(box.east - 0.2, box.north, 0))), 10'000);
 }
 
 TEST(Moving, TimesOfAnotherGridAreRefused) {
