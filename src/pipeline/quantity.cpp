@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "pipeline/archetype.hpp"
+#include "pipeline/budget_search.hpp"
 #include "pipeline/counted.hpp"
 #include "pipeline/fitting.hpp"
 #include "pipeline/measured_clouds.hpp"
@@ -62,6 +63,13 @@ struct KnownArchetypes {
   PuffCount puffs;
 };
 
+/// Clouds made for some budget.
+struct Attempt {
+  DrawnShare drawn;
+  Generalisation general;
+  std::vector<field::Cloud> clouds;
+};
+
 }  // namespace
 
 void placeClouds(const field::Grid& grid, const base::LocalFrame& frame, std::span<const std::uint32_t> cells,
@@ -101,29 +109,32 @@ double puffsDrawn(const field::CloudTable& table, const Options& options, const 
 Generalisation placeWithinBudget(const field::Grid& grid, const base::LocalFrame& frame,
                                  std::span<const std::uint32_t> cells, const Options& options,
                                  field::CloudTable& table) {
-  constexpr int kAttempts = 5;
-  constexpr double kTooFew = 0.6, kTooMany = 1.25;
+  constexpr int kAttempts = 7;
   const auto maxPuffs = static_cast<double>(options.maxPuffs);
-  double budget = maxPuffs, share = 0;
+  BudgetSearch search(maxPuffs);
   MeasuredClouds measured;
   Generalisation general;
   std::optional<KnownArchetypes> archetypes;
+  Attempt latest, best;
   for (int attempt = 1;; ++attempt) {
-    const Generalisation before =
-        std::exchange(general, generalise(grid, table.layers, options, frame.box(), budget, measured));
+    const Generalisation before = std::exchange(
+        general, generalise(grid, table.layers, options, frame.box(), search.budget(), measured));
     if (attempt == 1 || before.puffsPerCloud != general.puffsPerCloud) archetypes.emplace(options, general);
     // Where a budget cannot be met the next one is answered alike.
     if (attempt == 1 || before != general) {
       table.clouds.clear();
       placeClouds(grid, frame, cells, options, general, archetypes->footprints, table);
-      share = archetypes->puffs.of(table) / maxPuffs;
+      latest = {{archetypes->puffs.of(table) / maxPuffs}, general, table.clouds};
+      if (attempt == 1 || latest.drawn.isNearerThan(best.drawn)) best = latest;
     }
     const bool asNatural = general.narrowestMeters <= 0 && general.detail >= 1,
-               asSimple = general.narrowestMeters >= general.widestMeters && general.detail <= 0;
-    if (attempt == kAttempts || table.clouds.empty() ||
-        (share <= kTooMany && (share >= kTooFew || asNatural)) || (share > kTooMany && asSimple))
-      return general;
-    budget *= std::clamp(1 / share, 0.1, 10.0);
+               asSimple = general.narrowestMeters >= general.widestMeters && general.detail <= 0,
+               isAtItsEnd = latest.drawn.isTooMany() ? asSimple : asNatural;
+    if (attempt == kAttempts || table.clouds.empty() || latest.drawn.isNear() || isAtItsEnd) {
+      table.clouds = std::move(best.clouds);
+      return best.general;
+    }
+    search.drew(latest.drawn);
   }
 }
 
