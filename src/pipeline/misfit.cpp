@@ -15,7 +15,7 @@ constexpr double kWeightOfMean = 20, kToleratedMean = 0.01;
 /// Weight of what optical depth lacks or is too much, and of what strays in, as a squared error of cover.
 constexpr double kWeightOfDepth = 0.6, kWeightOfStray = 0.1;
 /// Weight of a full sheet: a gap in it is seen sooner than one among many.
-constexpr double kWeightOfFull = 9;
+constexpr double kWeightOfFull = 5.5;
 /// Base and top: an error of so many metres counts as one of the whole cover.
 constexpr double kMetersAsCover = 1700;
 

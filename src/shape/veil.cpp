@@ -37,8 +37,9 @@ RawShape shapeVeil(const Recipe& recipe, const ShapeRequest& request) {
       const double y = recipe.genus == base::Genus::Fog ? depth * low * low : depth * (0.04 + 0.92 * low);
       p.y = std::clamp(y + 0.1 * depth * swell, 0.03 * depth, 0.97 * depth);
       const double thinnest = std::min(p.y, depth - p.y);
+      // Flat however many there are, or they would be lit as a heap's (light::layerShare).
       const double sigmaY = std::clamp(0.33 * thinnest, 0.012 * depth,
-                                       std::min(0.11 * depth, std::max(1.0, size * recipe.flattening * 4.0)));
+                                       std::min(0.11 * depth, std::max(1.0, 0.2 * size)));
       puff.center = p;
       puff.sigma = glm::vec3(size * stretch, sigmaY, size / std::sqrt(stretch));
       const double contrast = 0.35 + 1.1 * recipe.fibre + 0.5 * recipe.raggedness;
