@@ -170,9 +170,6 @@ int build(const BuildLine& line, const Terminal& terminal) {
                                                        line.typingWindowMinutes);
   options.typing = typing.get();
   const bool moves = line.input.allTimes() && source->info().validTimes.size() > 1;
-  if (moves && typing)
-    throw base::UsageError("--time all", "cannot be joined with a typing yet",
-                           "leave --typing out, or choose one --time");
   base::StagedFolder folder(line.output, line.overwrite);
   watch.lap("open");
   std::optional<pipeline::MovingSky> moving;
@@ -182,7 +179,10 @@ int build(const BuildLine& line, const Terminal& terminal) {
       at.time = base::isoText(time);
       return openInput(at);
     };
-    moving = pipeline::runTimes(source->info().validTimes, open, options, progress);
+    pipeline::OpenTime typingAt;
+    if (typing)
+      typingAt = [&](base::UtcTime time) { return openTyping(line.typing, line.input, time, line.typingWindowMinutes); };
+    moving = pipeline::runTimes(source->info().validTimes, open, options, progress, typingAt);
   }
   const pipeline::Outcome outcome =
       moving ? std::move(moving->first) : pipeline::run(*source, options, progress);

@@ -199,6 +199,11 @@ std::vector<std::uint64_t> nameChains(const Skies& skies, scene::Scene& scene) {
   return lifetimes;
 }
 
+Options withTyping(Options options, const field::Source* typing) {
+  if (typing) options.typing = typing;
+  return options;
+}
+
 void setMotions(const Skies& skies, scene::Scene& scene) {
   const auto& [clouds, passages, ofTimes, first] = skies;
   std::vector<std::uint32_t> keyOfSky{0};
@@ -227,11 +232,12 @@ void setMotions(const Skies& skies, scene::Scene& scene) {
 }  // namespace
 
 MovingSky runTimes(const std::vector<base::UtcTime>& times, const OpenTime& open, const Options& options,
-                   const base::Progress& progress) {
+                   const base::Progress& progress, const OpenTime& openTyping) {
   std::vector<Located> located;
   for (const base::UtcTime time : times) {
     const auto source = open(time);
-    located.push_back(locate(*source, options, progress));
+    const auto typing = openTyping ? openTyping(time) : nullptr;
+    located.push_back(locate(*source, withTyping(options, typing.get()), progress));
     if (!sameCells(located.front().grid, located.back().grid))
       throw base::InputError(source->info().files.front(), "has another grid than the time before",
                              "give times of one model on one grid");
@@ -256,11 +262,12 @@ MovingSky runTimes(const std::vector<base::UtcTime>& times, const OpenTime& open
   light::Sun firstSun;
   for (std::size_t k = 0; k < times.size(); ++k) {
     const auto source = open(times[k]);
+    const auto typing = openTyping ? openTyping(times[k]) : nullptr;
     // What is lit once and for all is lit alike at all times: clouds of two times stand side by side.
     if (k == 0) firstSun = located[k].origin.sun;
     located[k].origin.sun = firstSun;
     located[k].origin.sky = light::skyUnder(firstSun);
-    Outcome outcome = finish(std::move(located[k]), *source, general, options, progress);
+    Outcome outcome = finish(std::move(located[k]), *source, general, withTyping(options, typing.get()), progress);
     if (k == 0) {
       join.emplace(outcome.scene);
       scene::Scene empty{outcome.scene.frame};

@@ -101,7 +101,9 @@ std::vector<scene::Moment> momentsOf(const Passage& passage, const CloudsOfTime&
       if (!fate.aside)
         moment = ofPair(1 - away, grown(own.widthMeters, partner.widthMeters, away), own.opticalDepth);
     }
-    moment.growth *= leftBeyond(earlier, own, place);
+    const float left = leftBeyond(earlier, own, place);
+    moment.growth *= left;
+    if (left <= kLeastGrowth) moment.presence = 0;
     moment.shift = shiftOf(place, own, base);
     moments.push_back(moment);
   }
