@@ -204,6 +204,16 @@ Options withTyping(Options options, const field::Source* typing) {
   return options;
 }
 
+/// Moments before a cloud is there and after it has gone, as where the wind has taken it out of the box.
+void dropWhatIsGone(scene::Motion& motion) {
+  std::vector<scene::Moment>& moments = motion.moments;
+  while (moments.size() > 2 && moments.back().presence == 0 && moments[moments.size() - 2].presence == 0) moments.pop_back();
+  std::size_t early = 0;
+  while (early + 2 < moments.size() && moments[early].presence == 0 && moments[early + 1].presence == 0) ++early;
+  moments.erase(moments.begin(), moments.begin() + static_cast<std::ptrdiff_t>(early));
+  motion.firstKey += static_cast<std::uint32_t>(early);
+}
+
 void setMotions(const Skies& skies, scene::Scene& scene) {
   const auto& [clouds, passages, ofTimes, first] = skies;
   std::vector<std::uint32_t> keyOfSky{0};
@@ -225,6 +235,7 @@ void setMotions(const Skies& skies, scene::Scene& scene) {
         const auto rest = going(passages[k], clouds[k], clouds[k + 1], cloud);
         motion.moments.insert(motion.moments.end(), rest.begin(), rest.end());
       }
+      dropWhatIsGone(motion);
       scene.motions.push_back(std::move(motion));
     }
 }
