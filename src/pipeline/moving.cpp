@@ -124,10 +124,10 @@ struct Skies {
   std::vector<std::uint32_t> first{0};  ///< instance of each, and the end
 };
 
-/// Cuts the time between where the wind needs it, tracks the clouds from sky to sky, and orders the instances of the
+/// Cuts the time between where the wind needs it (or not at all), tracks the clouds from sky to sky, and orders the instances of the
 /// joined scene by skies: those between have copies of their own.
-Skies skiesOf(const std::vector<base::UtcTime>& times, std::vector<CloudsOfTime>&& clouds,
-              const std::vector<motion::WindField>& winds, scene::Scene& scene, std::vector<HourOfMotion>& hours) {
+Skies skiesOf(const std::vector<base::UtcTime>& times, const std::vector<CloudsOfTime>& clouds,
+              const std::vector<motion::WindField>& winds, bool cut, scene::Scene& scene, std::vector<HourOfMotion>& hours) {
   Skies skies;
   const std::vector<scene::Instance> instances = std::move(scene.instances);
   const std::vector<scene::CloudRecord> records = std::move(scene.clouds);
@@ -148,7 +148,7 @@ Skies skiesOf(const std::vector<base::UtcTime>& times, std::vector<CloudsOfTime>
     if (k + 1 == times.size()) break;
     motion::WindBetween wind{winds[k], winds[k + 1], static_cast<double>(times[k + 1].seconds - times[k].seconds),
                              motion::wayOfPattern(winds[k], winds[k + 1])};
-    const int stretches = stretchesBetween(clouds[k], clouds[k + 1], wind);
+    const int stretches = cut ? stretchesBetween(clouds[k], clouds[k + 1], wind) : 1;
     for (SkyBetween& sky : skiesBetween(clouds[k], clouds[k + 1], wind.way, stretches)) {
       for (const SkyBetween::Origin& origin : sky.origins)
         place((origin.later ? next : start) + origin.cloud, origin.shift);
@@ -282,16 +282,24 @@ MovingSky runTimes(const std::vector<base::UtcTime>& times, const OpenTime& open
     if (k == 0) {
       join.emplace(outcome.scene);
       scene::Scene empty{outcome.scene.frame};
-      sky.emplace(MovingSky{std::move(outcome), std::move(empty), times, {}, {}});
+      sky.emplace(MovingSky{std::move(outcome), std::move(empty), std::nullopt, times, {}, {}});
     } else {
       join->add(std::move(outcome.scene));
     }
   }
   progress.step("motion", 0.9);
-  sky->scene = std::move(join->whole());
-  const Skies skies = skiesOf(times, std::move(clouds), winds, sky->scene, sky->hours);
-  setMotions(skies, sky->scene);
-  sky->lifetimes = nameChains(skies, sky->scene);
+  const auto move = [&](bool cut, scene::Scene& scene, std::vector<HourOfMotion>& hours) {
+    scene = join->whole();
+    const Skies skies = skiesOf(times, clouds, winds, cut, scene, hours);
+    setMotions(skies, scene);
+    return nameChains(skies, scene);
+  };
+  sky->lifetimes = move(true, sky->scene, sky->hours);
+  const auto isCut = [](const HourOfMotion& hour) { return hour.stretches > 1; };
+  if (std::any_of(sky->hours.begin(), sky->hours.end(), isCut)) {
+    std::vector<HourOfMotion> uncut;
+    move(false, sky->uncut.emplace(join->whole().frame), uncut);
+  }
   return std::move(*sky);
 }
 

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "pipeline/pipeline.hpp"
 
@@ -24,6 +25,8 @@ struct HourOfMotion {
 struct MovingSky {
   Outcome first;       ///< of the first time, as a sky that stands still
   scene::Scene scene;  ///< the clouds of all times, with their motions; light as at the first time
+  /// Where there are skies between: the same without them, of a fraction of the clouds, for formats that play few.
+  std::optional<scene::Scene> uncut;
   std::vector<base::UtcTime> times;
   std::vector<HourOfMotion> hours;         ///< one fewer than times
   std::vector<std::uint64_t> lifetimes;    ///< [n]: chains of matched clouds that are there in n + 1 skies
