@@ -129,6 +129,12 @@ void takeConfig(CLI::App& options, const std::string& file) {
   }
 }
 
+/// What a format shows of a sky that moves: with or without its skies between times, or only the first time.
+const scene::Scene& playedBy(const writer::Format& format, const pipeline::MovingSky& sky, const scene::Scene& first) {
+  if (format.moves(sky.scene)) return sky.scene;
+  return sky.uncut && format.moves(*sky.uncut) ? *sky.uncut : first;
+}
+
 /// Formats of nodes hold motions of so many clouds only.
 void warnOfWhatStandsStill(const scene::Scene& scene, const std::vector<const writer::Format*>& formats,
                            const Terminal& terminal) {
@@ -170,9 +176,6 @@ int build(const BuildLine& line, const Terminal& terminal) {
                                                        line.typingWindowMinutes);
   options.typing = typing.get();
   const bool moves = line.input.allTimes() && source->info().validTimes.size() > 1;
-  if (moves && typing)
-    throw base::UsageError("--time all", "cannot be joined with a typing yet",
-                           "leave --typing out, or choose one --time");
   base::StagedFolder folder(line.output, line.overwrite);
   watch.lap("open");
   std::optional<pipeline::MovingSky> moving;
@@ -182,7 +185,10 @@ int build(const BuildLine& line, const Terminal& terminal) {
       at.time = base::isoText(time);
       return openInput(at);
     };
-    moving = pipeline::runTimes(source->info().validTimes, open, options, progress);
+    pipeline::OpenTime typingAt;
+    if (typing)
+      typingAt = [&](base::UtcTime time) { return openTyping(line.typing, line.input, time, line.typingWindowMinutes); };
+    moving = pipeline::runTimes(source->info().validTimes, open, options, progress, typingAt);
   }
   const pipeline::Outcome outcome =
       moving ? std::move(moving->first) : pipeline::run(*source, options, progress);
@@ -196,7 +202,7 @@ int build(const BuildLine& line, const Terminal& terminal) {
     for (const writer::Format* format : formats) {
       if (format->showsVerification != showingVerification) continue;
       progress.step(fmt::format("writing {}", format->name), 0);
-      format->write(moving && format->moves(moving->scene) ? moving->scene : outcome.scene, destination);
+      format->write(moving ? playedBy(*format, *moving, outcome.scene) : outcome.scene, destination);
       watch.lap(fmt::format("write_{}", format->name));
     }
   };
@@ -228,7 +234,7 @@ int build(const BuildLine& line, const Terminal& terminal) {
         return outcome.scene.frame.box().contains(place.x, place.y);
       }))
     terminal.warn("no place of --fly lies over the scene: LATITUDE stands first");
-  if (moving) warnOfWhatStandsStill(moving->scene, formats, terminal);
+  if (moving) warnOfWhatStandsStill(moving->uncut ? *moving->uncut : moving->scene, formats, terminal);
   const bool shapeSeen =
       std::any_of(shapes.begin(), shapes.end(), [](const auto& shape) { return shape.at("clouds") > 0; });
   if (!line.shape.file.empty() && !shapeSeen)

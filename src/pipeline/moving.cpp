@@ -124,10 +124,10 @@ struct Skies {
   std::vector<std::uint32_t> first{0};  ///< instance of each, and the end
 };
 
-/// Cuts the time between where the wind needs it, tracks the clouds from sky to sky, and orders the instances of the
+/// Cuts the time between where the wind needs it (or not at all), tracks the clouds from sky to sky, and orders the instances of the
 /// joined scene by skies: those between have copies of their own.
-Skies skiesOf(const std::vector<base::UtcTime>& times, std::vector<CloudsOfTime>&& clouds,
-              const std::vector<motion::WindField>& winds, scene::Scene& scene, std::vector<HourOfMotion>& hours) {
+Skies skiesOf(const std::vector<base::UtcTime>& times, const std::vector<CloudsOfTime>& clouds,
+              const std::vector<motion::WindField>& winds, bool cut, scene::Scene& scene, std::vector<HourOfMotion>& hours) {
   Skies skies;
   const std::vector<scene::Instance> instances = std::move(scene.instances);
   const std::vector<scene::CloudRecord> records = std::move(scene.clouds);
@@ -148,7 +148,7 @@ Skies skiesOf(const std::vector<base::UtcTime>& times, std::vector<CloudsOfTime>
     if (k + 1 == times.size()) break;
     motion::WindBetween wind{winds[k], winds[k + 1], static_cast<double>(times[k + 1].seconds - times[k].seconds),
                              motion::wayOfPattern(winds[k], winds[k + 1])};
-    const int stretches = stretchesBetween(clouds[k], clouds[k + 1], wind);
+    const int stretches = cut ? stretchesBetween(clouds[k], clouds[k + 1], wind) : 1;
     for (SkyBetween& sky : skiesBetween(clouds[k], clouds[k + 1], wind.way, stretches)) {
       for (const SkyBetween::Origin& origin : sky.origins)
         place((origin.later ? next : start) + origin.cloud, origin.shift);
@@ -199,6 +199,21 @@ std::vector<std::uint64_t> nameChains(const Skies& skies, scene::Scene& scene) {
   return lifetimes;
 }
 
+Options withTyping(Options options, const field::Source* typing) {
+  if (typing) options.typing = typing;
+  return options;
+}
+
+/// Moments before a cloud is there and after it has gone, as where the wind has taken it out of the box.
+void dropWhatIsGone(scene::Motion& motion) {
+  std::vector<scene::Moment>& moments = motion.moments;
+  while (moments.size() > 2 && moments.back().presence == 0 && moments[moments.size() - 2].presence == 0) moments.pop_back();
+  std::size_t early = 0;
+  while (early + 2 < moments.size() && moments[early].presence == 0 && moments[early + 1].presence == 0) ++early;
+  moments.erase(moments.begin(), moments.begin() + static_cast<std::ptrdiff_t>(early));
+  motion.firstKey += static_cast<std::uint32_t>(early);
+}
+
 void setMotions(const Skies& skies, scene::Scene& scene) {
   const auto& [clouds, passages, ofTimes, first] = skies;
   std::vector<std::uint32_t> keyOfSky{0};
@@ -220,6 +235,7 @@ void setMotions(const Skies& skies, scene::Scene& scene) {
         const auto rest = going(passages[k], clouds[k], clouds[k + 1], cloud);
         motion.moments.insert(motion.moments.end(), rest.begin(), rest.end());
       }
+      dropWhatIsGone(motion);
       scene.motions.push_back(std::move(motion));
     }
 }
@@ -227,11 +243,12 @@ void setMotions(const Skies& skies, scene::Scene& scene) {
 }  // namespace
 
 MovingSky runTimes(const std::vector<base::UtcTime>& times, const OpenTime& open, const Options& options,
-                   const base::Progress& progress) {
+                   const base::Progress& progress, const OpenTime& openTyping) {
   std::vector<Located> located;
   for (const base::UtcTime time : times) {
     const auto source = open(time);
-    located.push_back(locate(*source, options, progress));
+    const auto typing = openTyping ? openTyping(time) : nullptr;
+    located.push_back(locate(*source, withTyping(options, typing.get()), progress));
     if (!sameCells(located.front().grid, located.back().grid))
       throw base::InputError(source->info().files.front(), "has another grid than the time before",
                              "give times of one model on one grid");
@@ -256,24 +273,33 @@ MovingSky runTimes(const std::vector<base::UtcTime>& times, const OpenTime& open
   light::Sun firstSun;
   for (std::size_t k = 0; k < times.size(); ++k) {
     const auto source = open(times[k]);
+    const auto typing = openTyping ? openTyping(times[k]) : nullptr;
     // What is lit once and for all is lit alike at all times: clouds of two times stand side by side.
     if (k == 0) firstSun = located[k].origin.sun;
     located[k].origin.sun = firstSun;
     located[k].origin.sky = light::skyUnder(firstSun);
-    Outcome outcome = finish(std::move(located[k]), *source, general, options, progress);
+    Outcome outcome = finish(std::move(located[k]), *source, general, withTyping(options, typing.get()), progress);
     if (k == 0) {
       join.emplace(outcome.scene);
       scene::Scene empty{outcome.scene.frame};
-      sky.emplace(MovingSky{std::move(outcome), std::move(empty), times, {}, {}});
+      sky.emplace(MovingSky{std::move(outcome), std::move(empty), std::nullopt, times, {}, {}});
     } else {
       join->add(std::move(outcome.scene));
     }
   }
   progress.step("motion", 0.9);
-  sky->scene = std::move(join->whole());
-  const Skies skies = skiesOf(times, std::move(clouds), winds, sky->scene, sky->hours);
-  setMotions(skies, sky->scene);
-  sky->lifetimes = nameChains(skies, sky->scene);
+  const auto move = [&](bool cut, scene::Scene& scene, std::vector<HourOfMotion>& hours) {
+    scene = join->whole();
+    const Skies skies = skiesOf(times, clouds, winds, cut, scene, hours);
+    setMotions(skies, scene);
+    return nameChains(skies, scene);
+  };
+  sky->lifetimes = move(true, sky->scene, sky->hours);
+  const auto isCut = [](const HourOfMotion& hour) { return hour.stretches > 1; };
+  if (std::any_of(sky->hours.begin(), sky->hours.end(), isCut)) {
+    std::vector<HourOfMotion> uncut;
+    move(false, sky->uncut.emplace(join->whole().frame), uncut);
+  }
   return std::move(*sky);
 }
 

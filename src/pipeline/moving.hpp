@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "pipeline/pipeline.hpp"
 
@@ -24,12 +25,14 @@ struct HourOfMotion {
 struct MovingSky {
   Outcome first;       ///< of the first time, as a sky that stands still
   scene::Scene scene;  ///< the clouds of all times, with their motions; light as at the first time
+  /// Where there are skies between: the same without them, of a fraction of the clouds, for formats that play few.
+  std::optional<scene::Scene> uncut;
   std::vector<base::UtcTime> times;
   std::vector<HourOfMotion> hours;         ///< one fewer than times
   std::vector<std::uint64_t> lifetimes;    ///< [n]: chains of matched clouds that are there in n + 1 skies
 };
 
-/// Opens the source of one of the times.
+/// Opens the source of one of the times, or its typing.
 using OpenTime = std::function<std::unique_ptr<field::Source>(base::UtcTime)>;
 
 /// Builds every time with the same detail and joins them: each cloud of a time comes from its partner at the time before
@@ -37,8 +40,9 @@ using OpenTime = std::function<std::unique_ptr<field::Source>(base::UtcTime)>;
 /// themselves the sky is as without motion. Where the wind carries most clouds over the border of the box meanwhile, they
 /// do so from sky to sky of some in between (skiesBetween). Between two times it fades from one cloud of a pair to the other at one
 /// place and of one size; those without partner form and dissolve by area and optical depth, their water linear in
-/// time. Throws InputError as `run`, and where the times have different grids. `times`: ascending, at least 2.
+/// time. Throws InputError as `run`, and where the times have different grids. `times`: ascending, at least 2. A typing
+/// of each time goes before Options::typing.
 MovingSky runTimes(const std::vector<base::UtcTime>& times, const OpenTime& open, const Options& options,
-                   const base::Progress& progress);
+                   const base::Progress& progress, const OpenTime& openTyping = {});
 
 }  // namespace cloudgen::pipeline

@@ -101,7 +101,9 @@ std::vector<scene::Moment> momentsOf(const Passage& passage, const CloudsOfTime&
       if (!fate.aside)
         moment = ofPair(1 - away, grown(own.widthMeters, partner.widthMeters, away), own.opticalDepth);
     }
-    moment.growth *= leftBeyond(earlier, own, place);
+    const float left = leftBeyond(earlier, own, place);
+    moment.growth *= left;
+    if (left <= kLeastGrowth) moment.presence = 0;
     moment.shift = shiftOf(place, own, base);
     moments.push_back(moment);
   }
@@ -109,11 +111,13 @@ std::vector<scene::Moment> momentsOf(const Passage& passage, const CloudsOfTime&
 }
 
 /// A sequence that fills the square evenly however far it has come (Roberts 2018, "The unreasonable effectiveness of
-/// quasirandom sequences"), by row and column instead of one after another: few neighbours turn together.
+/// quasirandom sequences"), by row and column instead of one after another. Squares of some cells turn together: clouds
+/// lie over the borders of their cells, and the more borders there are between two times the more they cover.
 float turnOf(const field::Grid& grid, std::uint32_t cell) {
   constexpr double kAcross = 0.7548776662466927, kDown = 0.5698402909980532;
+  constexpr std::uint32_t kTogether = 3;
   const auto columns = static_cast<std::uint32_t>(std::max(grid.columns, 1));
-  const double turn = 0.5 + (cell % columns) * kAcross + (cell / columns) * kDown;
+  const double turn = 0.5 + (cell % columns / kTogether) * kAcross + (cell / columns / kTogether) * kDown;
   return static_cast<float>(turn - std::floor(turn));
 }
 
@@ -176,9 +180,10 @@ Passage passageOf(const CloudsOfTime& earlier, const CloudsOfTime& later, const 
   };
   passage.tracking = motion::track(halfway(earlier, passage.forwards), halfway(later, passage.backwards));
 
-  // As few intervals as follow the ways of nearly all clouds within a quarter of their width.
+  // As few intervals as follow the ways of nearly all clouds within a quarter of their width; a stretch is short.
+  const bool isWhole = stretch.to - stretch.from > 0.99;
   std::size_t stride = 12;
-  for (; stride > 1; stride = stride == 12 ? 6 : stride == 6 ? 3 : 1) {
+  for (; isWhole && stride > 1; stride = stride == 12 ? 6 : stride == 6 ? 3 : 1) {
     std::size_t astray = 0;
     for (std::size_t i = 0; i < passage.forwards.size(); ++i)
       astray += cutCorners(passage.forwards[i], stride) > 0.25 * earlier.clouds[i].widthMeters;

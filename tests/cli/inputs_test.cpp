@@ -157,6 +157,18 @@ TEST(Inputs, TypingDecidesTheGenera) {
     EXPECT_TRUE(genus == "Sc" || genus == "As" || genus == "Ci") << genus;
 }
 
+/// Each time of a sky that moves takes the genera of its own hour.
+TEST(Inputs, TypingOfAllTimes) {
+  const Scratch folder;
+  const std::string hours = example("helsinki.weather.json"), out = folder.path() / "scene";
+  const Ran ran = runCloudgen({"build", hours, "--typing", hours, "--time", "all", "--max-puffs", "2000", "--formats", "pack", "-o", out, "--json"});
+  ASSERT_EQ(ran.exitCode, 0) << ran.err;
+  const json report = json::parse(ran.out);
+  EXPECT_GT(report.at("valid_times").size(), 1u);
+  EXPECT_EQ(report.at("motion").at("hours").size() + 1, report.at("valid_times").size());
+  EXPECT_GE(report.at("typing").at("agreement").get<double>(), 0.99);
+}
+
 /// Of a typing of several hours the one nearest to the model is taken.
 TEST(Inputs, TheNearestHourOfATypingIsTaken) {
   Scratch folder;

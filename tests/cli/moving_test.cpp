@@ -2,17 +2,35 @@
 // Several times of a forecast as one sky, from the command line.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "cli/fits_schema.hpp"
 #include "cli/program.hpp"
+#include "support/read_png.hpp"
 #include "support/scratch.hpp"
 
 namespace {
 
 using namespace cloudgen::test;
 using nlohmann::json;
+
+/// How much the picture of a sky changes from each time to the next, in the mean over its bytes.
+std::vector<double> changesOf(const std::string& sky, const std::string& view, const std::vector<std::string>& times,
+                              const std::string& picture) {
+  std::vector<double> changes;
+  std::vector<unsigned char> before;
+  for (const std::string& time : times) {
+    EXPECT_EQ(runCloudgen({"preview", sky, "-o", picture, "--time", time, "--size", "160x90", "--draft", "--view=" + view}).exitCode, 0);
+    const auto bytes = readPng(picture).bytes;
+    double sum = 0;
+    for (std::size_t i = 0; i < before.size(); ++i) sum += std::abs(bytes[i] - before[i]);
+    if (!before.empty()) changes.push_back(sum / static_cast<double>(bytes.size()));
+    before = bytes;
+  }
+  return changes;
+}
 
 /// Cirrus over thirteen hours.
 class Moving : public ::testing::Test {
@@ -67,8 +85,11 @@ TEST(MovingStorm, CloudsAreFollowedAndCoverGoesEvenly) {
   if (!std::filesystem::exists(storm)) GTEST_SKIP() << "no " << storm;
   const Scratch folder;
   const std::string out = folder.path() / "storm";
-  const Ran built = runCloudgen({"build", storm, "--time", "all", "--max-puffs", "3000", "--formats", "pack", "--json", "-o", out});
+  const Ran built = runCloudgen({"build", storm, "--time", "all", "--max-puffs", "3000", "--formats", "pack,x3d", "--json", "-o", out});
   ASSERT_EQ(built.exitCode, 0) << built.err;
+  // X3D plays fewer clouds: it goes without the skies in between.
+  EXPECT_EQ(built.err.find("hold the first time"), std::string::npos) << built.err;
+  EXPECT_EQ(runCloudgen({"validate", out + "/scene.x3d"}).exitCode, 0);
   const json report = json::parse(built.out);
   expectFitsSchema(report, "report.schema.json");
   ASSERT_EQ(report.at("motion").at("hours").size(), 3u);
@@ -84,6 +105,15 @@ TEST(MovingStorm, CloudsAreFollowedAndCoverGoesEvenly) {
     expectFitsSchema(found, "verify_between.schema.json");
     EXPECT_NEAR(found.at("cover").at("total").at("bias").get<double>(), 0, 0.03) << time;
   }
+  // As a film, it goes on at the times of the forecast as it does between them.
+  const auto changes = changesOf(out, "-89.5,22,150000:-89,24.4,0",
+                                 {"2005-08-28T17:51Z", "2005-08-28T17:54Z", "2005-08-28T17:57Z", "2005-08-28T18:00Z", "2005-08-28T18:03Z",
+                                  "2005-08-28T18:06Z", "2005-08-28T18:09Z"},
+                                 folder.path() / "film.png");
+  const double between = (changes[0] + changes[1] + changes[4] + changes[5]) / 4;
+  EXPECT_GT(between, 0.1) << "it moves";
+  EXPECT_LT(changes[2], 2 * between);
+  EXPECT_LT(changes[3], 2 * between);
 }
 
 /// Between two of its times, too, against the model in between.
@@ -94,6 +124,14 @@ TEST_F(Moving, CoverGoesEvenlyFromTimeToTime) {
     EXPECT_EQ(verified.exitCode, 0) << time;
     EXPECT_NEAR(json::parse(verified.out).at("cover").at("total").at("bias").get<double>(), 0, 0.03) << time;
   }
+  // The picture, too, at noon.
+  const auto changes = changesOf(out, "-29,50,60000:-29,54,8000",
+                                 {"2019-01-01T10:54Z", "2019-01-01T10:57Z", "2019-01-01T11:00Z", "2019-01-01T11:03Z", "2019-01-01T11:06Z"},
+                                 folder.path() / "film.png");
+  const double between = (changes[0] + changes[3]) / 2;
+  EXPECT_GT(between, 0.01) << "it moves";
+  EXPECT_LT(changes[1], 2 * between);
+  EXPECT_LT(changes[2], 2 * between);
 }
 
 /// At a later time the sky is as near to the model as at the first.

@@ -195,9 +195,12 @@ TEST(Moving, CloudsKeepTheirNumbers) {
 TEST(Moving, IsTheSameForAnyNumberOfThreads) {
   const auto run = [](int threads) {
     const base::ThreadLimit limit(threads);
-    return stratocumulus({0.5f, 0.6f}).built(20'000);
+    MadeForecast forecast = stratocumulus({0.5f, 0.6f});
+    forecast.layer.windEast = 60;
+    return forecast.built(20'000);
   };
   const MovingSky one = run(1), four = run(4);
+  EXPECT_GT(one.hours[0].stretches, 1);
   ASSERT_EQ(one.scene.motions.size(), four.scene.motions.size());
   for (std::size_t i = 0; i < one.scene.motions.size(); ++i) {
     const auto &a = one.scene.motions[i].moments, &b = four.scene.motions[i].moments;
