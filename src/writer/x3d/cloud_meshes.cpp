@@ -7,7 +7,7 @@ namespace cloudgen::writer {
 namespace {
 
 constexpr int kPixels = 128;
-constexpr std::array<std::size_t, 3> kTriangles{3200, 1200, 320};  ///< by MeshFineness
+constexpr std::array<std::size_t, 3> kTriangles{1300, 480, 130};  ///< by MeshFineness
 
 }  // namespace
 
