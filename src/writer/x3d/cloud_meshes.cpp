@@ -7,7 +7,7 @@ namespace cloudgen::writer {
 namespace {
 
 constexpr int kPixels = 128;
-constexpr std::array<std::size_t, 3> kTriangles{1300, 480, 130};  ///< by MeshFineness
+constexpr std::array<std::size_t, 3> kTriangles{1000, 400, 120};  ///< by MeshFineness
 
 }  // namespace
 
