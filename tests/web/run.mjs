@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Opens what `cloudgen build` wrote in the viewers that people use.
 //   node tests/web/run.mjs --scenes DIR... [--spread] [--page] [--only WORDS]
+// Of a folder levels_NAME only the levels of its clouds are looked at.
 // A folder NAME.still beside a sky that moves is one of its times alone: its picture is compared.
 // --spread: not every scene in every viewer: of four scenes each viewer has the first and third or the second and fourth, and the page
 // is opened in one size of two. --page: only index.html; --only: only checks whose name matches this regular expression.
@@ -16,6 +17,7 @@ import {serve} from './lib/server.mjs';
 import {drawsByComparison, drawsByRemoval} from './checks/drawing.mjs';
 import {skyMoves} from './checks/film.mjs';
 import {fliesOnceChosen} from './checks/flight.mjs';
+import {levelsSwitchUnseen} from './checks/levels.mjs';
 import {pageWorks} from './checks/page.mjs';
 import {folderIsStreamed} from './checks/page_folder.mjs';
 import {movingPageWorks} from './checks/page_time.mjs';
@@ -81,6 +83,14 @@ async function checkScene(runner, folder, onlyPage, turn) {
         drawsByRemoval(at(page, `/scene/${file}`), picture(`${page}_${file}`), page === 'xite' ? CLOUD_NODES : [], settle),
       );
   };
+  const isForLevels = scene.startsWith('levels_');
+  if (browser && has('scene.x3d') && !has('index.html') && !moves)
+    for (const [way, wantsFull] of [['from picture to picture', false], ['into a cloud', true]])
+      if (turn === null || wantsFull === (!isForLevels && turn % 2 === 0))
+        runner.add(`${scene}: X_ITE goes ${way} unseen`, 200, () =>
+          levelsSwitchUnseen(at('xite', '/scene/scene.x3d'), wantsFull, picture(`levels_${wantsFull ? 'full' : 'pictures'}`)),
+        );
+  if (isForLevels) return;
   draws('X_ITE', 'xite', 'scene.x3d', 3000);
   draws('X_ITE', 'xite', 'scene.wrl', 3000);
   if (browser && has('scene.x3d') && texts['/empty.x3d'].includes('View_Flight'))

@@ -2,13 +2,13 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 
 #include "writer/pictures/puff_painting.hpp"
 
 namespace cloudgen::writer {
 
-/// A picture as triangles with a colour at each corner, small ones where it changes. Viewers draw such a pixel
+/// A picture as triangles with a colour at each corner, small ones where it changes: as bright as the picture, and
+/// covering as much. Viewers draw such a pixel
 /// in a tenth of the time that one of a texture takes (X_ITE 15 looks up no texture without two Perlin
 /// noises), and nothing is drawn where nothing is seen.
 struct PictureMesh {
@@ -17,7 +17,7 @@ struct PictureMesh {
   std::vector<std::uint32_t> indices;  ///< three a triangle, counter-clockwise
 };
 
-/// One for each number: of at most so many triangles, fewer where the picture needs no more.
-std::vector<PictureMesh> meshesOf(const PuffPicture& picture, std::span<const std::size_t> mostTriangles);
+/// At most so many triangles, fewer where a picture needs no more.
+PictureMesh meshOf(const PuffPicture& picture, std::size_t mostTriangles);
 
 }  // namespace cloudgen::writer

@@ -7,6 +7,7 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "base/thread.hpp"
+#include "light/color.hpp"
 #include "light/shade.hpp"
 #include "shape/heights.hpp"
 #include "writer/x3d/clusters.hpp"
@@ -28,10 +29,14 @@ std::vector<LitPuff> turned(const scene::Scene& scene, const CloudLook& look,
                             std::span<const shape::Puff> puffs, std::span<const light::PuffLight> lights) {
   const scene::LitArchetype& lit = scene.lit[look.lit];
   const glm::quat turn = glm::angleAxis(scene::yawRadians(lit.yawStep), glm::vec3(0, 1, 0));
-  const glm::vec3 dimming = light::dimming(look.sunlight, scene.sun.color, scene.sky);
+  // As bright as the pictures that stand for them further away, with what they send on to all sides.
+  const auto colorOf = [&](const light::PuffLight& full) {
+    const light::PuffLight left = light::inShadow(full, look.sunlight, scene.sun.color, scene.sky);
+    return light::linearFromSrgb(light::encoded(left, scene.sun.color).mean);
+  };
   std::vector<LitPuff> out;
   for (std::size_t i = 0; i < puffs.size(); ++i) {
-    LitPuff one{puffs[i], dimming * (i < lights.size() ? lights[i].color : glm::vec3(1))};
+    LitPuff one{puffs[i], i < lights.size() ? colorOf(lights[i]) : glm::vec3(1)};
     one.puff.center = turn * one.puff.center;
     one.puff.rotation = turn * one.puff.rotation;
     one.puff.extinctionPerMeter *= look.opticalDepthFactor;

@@ -46,6 +46,23 @@ std::vector<float> linesAlong(float middle, float reach, float low, float high) 
   return {lines.begin(), lines.end()};
 }
 
+/// No ElevationGrid: X3DOM's package does not know it.
+void writeFaces(NodeWriter& nodes, const char* def, const std::vector<std::int32_t>& indices,
+                const std::vector<float>& colors, const std::vector<float>& points, int decimals) {
+  nodes.open("Shape", "children", def);
+  nodes.open("IndexedFaceSet", "geometry");
+  nodes.integers("coordIndex", indices);
+  nodes.boolean("solid", false);
+  nodes.open("Color", "color");
+  nodes.numbers("color", colors, 3, 3);
+  nodes.close();
+  nodes.open("Coordinate", "coord");
+  nodes.numbers("point", points, 3, decimals);
+  nodes.close();
+  nodes.close();
+  nodes.close();
+}
+
 /// The ground around the scene's box.
 void writeSurroundings(NodeWriter& nodes, const scene::Scene& scene, const Stage& stage,
                        const base::HeightField& box) {
@@ -68,47 +85,26 @@ void writeSurroundings(NodeWriter& nodes, const scene::Scene& scene, const Stage
       if (!inHole)
         indices.insert(indices.end(), {corner, corner + columns, corner + columns + 1, corner + 1, -1});
     }
-  nodes.open("Shape", "children", "Ground");
-  nodes.open("IndexedFaceSet", "geometry");
-  nodes.integers("coordIndex", indices);
-  nodes.boolean("solid", false);
-  nodes.open("Color", "color");
-  nodes.numbers("color", colors, 3, 3);
-  nodes.close();
-  nodes.open("Coordinate", "coord");
-  nodes.numbers("point", points, 3, 0);
-  nodes.close();
-  nodes.close();
-  nodes.close();
+  writeFaces(nodes, "Ground", indices, colors, points, 0);
 }
 
 /// The ground of the box, with relief and the shadows of the clouds in its colours.
 void writeTerrain(NodeWriter& nodes, const scene::Scene& scene, const Stage& stage,
                   const base::HeightField& terrain) {
   const Haze haze(scene, stage);
-  std::vector<float> colors;
+  std::vector<float> points, colors;
+  std::vector<std::int32_t> indices;
   for (int row = 0; row < terrain.rows; ++row)
     for (int column = 0; column < terrain.columns; ++column) {
       const glm::dvec3 point = terrain.point(column, row);
+      points.insert(points.end(), {static_cast<float>(point.x), static_cast<float>(point.y), static_cast<float>(point.z)});
       haze.append(colors, light::shadedReliefColor(terrain, column, row, scene.sun, scene.sky, scene.shadows),
                   point.x, point.z);
+      if (row + 1 == terrain.rows || column + 1 == terrain.columns) continue;
+      const int corner = row * terrain.columns + column, below = corner + terrain.columns;
+      indices.insert(indices.end(), {corner, below, below + 1, corner + 1, -1});
     }
-  nodes.open("Transform", "children", "Terrain");
-  nodes.vector("translation", glm::vec3(terrain.origin.x, 0, terrain.origin.y), 1);
-  nodes.open("Shape");
-  nodes.open("ElevationGrid", "geometry");
-  nodes.numbers("height", terrain.heights, 1, 0);
-  nodes.boolean("solid", false);
-  nodes.integer("xDimension", terrain.columns);
-  nodes.number("xSpacing", terrain.step.x, 3);
-  nodes.integer("zDimension", terrain.rows);
-  nodes.number("zSpacing", terrain.step.y, 3);
-  nodes.open("Color", "color");
-  nodes.numbers("color", colors, 3, 2);
-  nodes.close();
-  nodes.close();
-  nodes.close();
-  nodes.close();
+  writeFaces(nodes, "Terrain", indices, colors, points, 1);
 }
 
 }  // namespace

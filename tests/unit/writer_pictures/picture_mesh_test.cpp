@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <map>
@@ -62,10 +61,6 @@ Shown shownBy(const PictureMesh& mesh) {
   return sum;
 }
 
-PictureMesh meshOf(const PuffPicture& picture, std::size_t mostTriangles) {
-  return meshesOf(picture, std::array{mostTriangles}).front();
-}
-
 TEST(PictureMesh, CoversAndIsAsBrightAsItsPicture) {
   const scene::Scene scene = test::smallScene();
   for (std::uint32_t lit = 0; lit < scene.lit.size(); ++lit) {
@@ -81,13 +76,41 @@ TEST(PictureMesh, CoversAndIsAsBrightAsItsPicture) {
   }
 }
 
-TEST(PictureMesh, OfSeveralSizesAreThoseOfEach) {
-  const PuffPicture picture = picturesOf(test::smallScene(), 0, 64).level[0].picture;
-  const std::vector<PictureMesh> both = meshesOf(picture, std::array<std::size_t, 2>{300, 60});
-  ASSERT_EQ(both.size(), 2u);
-  EXPECT_EQ(both[0].indices, meshOf(picture, 300).indices);
-  EXPECT_EQ(both[1].indices, meshOf(picture, 60).indices);
-  EXPECT_LT(both[1].indices.size(), both[0].indices.size());
+/// Root of the mean square by which a pixel differs, of 255, opacity multiplied into the colours.
+double differenceOf(const PuffPicture& picture, const PictureMesh& mesh) {
+  const glm::ivec2 size(picture.image.width, picture.image.height);
+  const glm::vec2 step = (picture.upper - picture.lower) / glm::vec2(size);
+  double sum = 0;
+  for (int y = 0; y < size.y; ++y)
+    for (int x = 0; x < size.x; ++x) {
+      const glm::vec2 at(picture.lower.x + step.x * (static_cast<float>(x) + 0.5f),
+                         picture.upper.y - step.y * (static_cast<float>(y) + 0.5f));
+      glm::vec4 shown(0);
+      for (std::size_t t = 0; t < mesh.indices.size(); t += 3) {
+        const auto corner = [&](std::size_t i) { return mesh.points[mesh.indices[t + i % 3]]; };
+        glm::vec3 shares;
+        for (std::size_t i = 0; i < 3; ++i) {
+          const glm::vec2 edge = corner(i + 2) - corner(i + 1), away = at - corner(i + 1);
+          shares[static_cast<int>(i)] = 0.5f * (edge.x * away.y - edge.y * away.x) / static_cast<float>(areaOf(mesh, t));
+        }
+        if (std::min({shares.x, shares.y, shares.z}) < 0) continue;
+        shown = glm::vec4(0);
+        for (std::size_t i = 0; i < 3; ++i) shown += shares[static_cast<int>(i)] * mesh.colors[mesh.indices[t + i]];
+      }
+      const auto* pixel = &picture.image.bytes[4 * static_cast<std::size_t>(y * size.x + x)];
+      for (int c = 0; c < 3; ++c) sum += std::pow(shown.w * shown[c] * 255 - pixel[c] * pixel[3] / 255.0, 2);
+      sum += std::pow(255 * shown.w - pixel[3], 2);
+    }
+  return std::sqrt(sum / (4.0 * size.x * size.y));
+}
+
+TEST(PictureMesh, ShowsItsPicture) {
+  const scene::Scene scene = test::smallScene();
+  for (std::uint32_t lit = 0; lit < scene.lit.size(); ++lit) {
+    const PuffPicture picture = nearPicturesOf(scene, lit, 64).pictures.front().picture;
+    EXPECT_LT(differenceOf(picture, meshOf(picture, 130)), 14) << lit;
+    EXPECT_LT(differenceOf(picture, meshOf(picture, 480)), 4) << lit;
+  }
 }
 
 TEST(PictureMesh, HasNoMoreTrianglesThanWantedAndNoneTurnedAway) {

@@ -39,15 +39,16 @@ export function pagePicture(folder, size, view) {
   });
 }
 
-/** X3D's rotation that looks from one place to another, upright. */
-function orientation({eye, target}) {
-  const [x, y, z] = [0, 1, 2].map((i) => target[i] - eye[i]);
+/** X3D's rotation that looks along a direction, upright. */
+export function rotationAlong([x, y, z]) {
   const half = [Math.atan2(-x, -z) / 2, Math.atan2(y, Math.hypot(x, z)) / 2];
   const [cy, sy, cp, sp] = [Math.cos(half[0]), Math.sin(half[0]), Math.cos(half[1]), Math.sin(half[1])];
   const axis = [cy * sp, sy * cp, -sy * sp];
   const sine = Math.hypot(...axis);
-  return [...(sine > 1e-9 ? axis.map((a) => a / sine) : [0, 1, 0]), 2 * Math.atan2(sine, cy * cp)].join(' ');
+  return [...(sine > 1e-9 ? axis.map((a) => a / sine) : [0, 1, 0]), 2 * Math.atan2(sine, cy * cp)];
 }
+
+const orientation = ({eye, target}) => rotationAlong(target.map((value, i) => value - eye[i])).join(' ');
 
 /** `background` (0..1, grey) replaces the sky where it is given. */
 export async function xitePicture(folder, size, place, background) {
