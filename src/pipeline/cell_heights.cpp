@@ -13,7 +13,7 @@ constexpr std::size_t kMostBins = 82, kLeastBins = 8, kMostValues = 40'000'000;
 constexpr double kClearShare = 1e-3;
 constexpr double kLinearFromMeters = 1000;
 /// Less than field::kBorderShare: what is close to moving a base or a top counts, too.
-constexpr double kShare = 0.02;
+constexpr double kShare = 0.035;
 
 double harmOf(double errorMeters) {
   const double error = std::abs(errorMeters);

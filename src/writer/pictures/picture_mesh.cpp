@@ -87,7 +87,7 @@ class Network {
  public:
   explicit Network(const image::ByteImage& image) : samples_(sampled(image)), triangles_(kCells) { judgeFrom(0); }
 
-  /// At most so many that are seen.
+  /// At most so many that are seen. Asked for more and more it goes on from what it has.
   std::vector<Triangle> atMost(std::size_t most) {
     std::vector<Triangle> best = seenOnes();
     while (!queue_.empty()) {
@@ -270,12 +270,8 @@ void keepShown(PictureMesh& mesh, const glm::dvec4& wanted) {
   }
 }
 
-}  // namespace
-
-PictureMesh meshOf(const PuffPicture& picture, std::size_t mostTriangles) {
+PictureMesh meshOf(const PuffPicture& picture, Network& network, const glm::dvec4& shown, std::size_t mostTriangles) {
   PictureMesh mesh;
-  if (picture.image.bytes.empty()) return mesh;
-  Network network(picture.image);
   const glm::vec2 step = (picture.upper - picture.lower) / static_cast<float>(kCells);
   std::vector<std::int64_t> places(static_cast<std::size_t>(kCorners) * kCorners, -1);
   const std::vector<Triangle> triangles = network.atMost(mostTriangles);
@@ -290,8 +286,19 @@ PictureMesh meshOf(const PuffPicture& picture, std::size_t mostTriangles) {
       mesh.indices.push_back(static_cast<std::uint32_t>(place));
     }
   fit(mesh, triangles, network);
-  keepShown(mesh, shownBy(picture));
+  keepShown(mesh, shown);
   return mesh;
+}
+
+}  // namespace
+
+std::vector<PictureMesh> meshesOf(const PuffPicture& picture, std::span<const std::size_t> mostTriangles) {
+  std::vector<PictureMesh> meshes(mostTriangles.size());
+  if (picture.image.bytes.empty()) return meshes;
+  Network network(picture.image);
+  const glm::dvec4 shown = shownBy(picture);
+  for (std::size_t i = 0; i < meshes.size(); ++i) meshes[i] = meshOf(picture, network, shown, mostTriangles[i]);
+  return meshes;
 }
 
 }  // namespace cloudgen::writer

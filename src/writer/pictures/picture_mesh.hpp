@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "writer/pictures/puff_painting.hpp"
 
@@ -17,7 +18,7 @@ struct PictureMesh {
   std::vector<std::uint32_t> indices;  ///< three a triangle, counter-clockwise
 };
 
-/// At most so many triangles, fewer where a picture needs no more.
-PictureMesh meshOf(const PuffPicture& picture, std::size_t mostTriangles);
+/// One for each number, which rise: of at most so many triangles, fewer where the picture needs no more.
+std::vector<PictureMesh> meshesOf(const PuffPicture& picture, std::span<const std::size_t> mostTriangles);
 
 }  // namespace cloudgen::writer

@@ -7,7 +7,7 @@ namespace cloudgen::writer {
 namespace {
 
 constexpr int kPixels = 128;
-constexpr std::array<std::size_t, 3> kTriangles{1000, 400, 120};  ///< by MeshFineness
+constexpr std::array<std::size_t, 3> kTriangles{120, 400, 1000};  ///< from coarse to fine
 
 }  // namespace
 
@@ -25,11 +25,11 @@ CloudMeshes::CloudMeshes(const scene::Scene& scene) : scene_(scene), wholes_(sce
     whole.lit = lit[i];
     whole.turns = near.turns;
     if (whole.turns) whole.middle = middleOf(near.pictures.front());
-    for (std::size_t f = 0; f < kTriangles.size(); ++f) {
-      // Flat ones lie in one plane with others: what is hidden would be chance.
-      whole.meshes[f].mayHide = whole.turns;
-      for (const CloudPicture& one : near.pictures)
-        appendMesh(one, kTriangles[f], whole.middle, whole.meshes[f]);
+    // Flat ones lie in one plane with others: what is hidden would be chance.
+    for (ColorMesh& mesh : whole.meshes) mesh.mayHide = whole.turns;
+    for (const CloudPicture& one : near.pictures) {
+      const std::vector<PictureMesh> flat = meshesOf(one.picture, kTriangles);
+      for (std::size_t f = 0; f < flat.size(); ++f) appendMesh(one, flat[f], whole.middle, whole.meshes[flat.size() - 1 - f]);
     }
   });
 }

@@ -95,9 +95,7 @@ void writeShape(NodeWriter& nodes, const ColorMesh& mesh, const glm::vec3& tint,
 
 }  // namespace
 
-void appendMesh(const CloudPicture& one, std::size_t mostTriangles, const glm::vec3& origin,
-                ColorMesh& mesh) {
-  const PictureMesh flat = meshOf(one.picture, mostTriangles);
+void appendMesh(const CloudPicture& one, const PictureMesh& flat, const glm::vec3& origin, ColorMesh& mesh) {
   const auto first = static_cast<std::int32_t>(mesh.points.size());
   for (const glm::vec2& point : flat.points)
     mesh.points.push_back(point.x * one.sight.right + point.y * one.sight.up +

@@ -20,9 +20,8 @@ struct ColorMesh {
   bool mayHide = true;  ///< what is opaque hides what is behind; not where pictures lie in one plane
 };
 
-/// Adds a picture of at most so many triangles where it stands, given from `origin`.
-void appendMesh(const CloudPicture& picture, std::size_t mostTriangles, const glm::vec3& origin,
-                ColorMesh& mesh);
+/// Adds a picture as triangles where it stands, given from `origin`.
+void appendMesh(const CloudPicture& picture, const PictureMesh& flat, const glm::vec3& origin, ColorMesh& mesh);
 
 /// Declares what the Shapes of a file look like, before the first of them: an UnlitMaterial, as the first
 /// node of a prototype is what it stands for. X3DOM 1.8 does not know that node and takes the Material behind

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <map>
@@ -59,6 +60,19 @@ Shown shownBy(const PictureMesh& mesh) {
         if (hasOther) add(sum, at(u + 1 / 3.0f / kSteps, v + 1 / 3.0f / kSteps), area);
       }
   return sum;
+}
+
+PictureMesh meshOf(const PuffPicture& picture, std::size_t mostTriangles) {
+  return meshesOf(picture, std::array{mostTriangles}).front();
+}
+
+TEST(PictureMesh, OfSeveralSizesAreThoseOfEach) {
+  const PuffPicture picture = picturesOf(test::smallScene(), 0, 64).level[0].picture;
+  const std::vector<PictureMesh> both = meshesOf(picture, std::array<std::size_t, 2>{60, 300});
+  ASSERT_EQ(both.size(), 2u);
+  EXPECT_EQ(both[0].indices, meshOf(picture, 60).indices);
+  EXPECT_EQ(both[1].indices, meshOf(picture, 300).indices);
+  EXPECT_LT(both[0].indices.size(), both[1].indices.size());
 }
 
 TEST(PictureMesh, CoversAndIsAsBrightAsItsPicture) {
