@@ -78,7 +78,7 @@ for name in cumulus cumulonimbus; do
   [ "$name" = cumulus ] || special=(--splat-quantize)
   make_sky "$name" "examples/gallery/$name.sky.json" --max-puffs 15000 --formats x3d,vrml,splats,glb "${special[@]}"
 done
-make_sky levels_altocumulus examples/gallery/altocumulus.sky.json --max-puffs 4000 --formats x3d
+make_sky levels_altocumulus examples/gallery/altocumulus.sky.json --max-puffs 4000 --formats x3d,splats
 # Tilesets of few clouds, that each can be told from the others: for CesiumJS, whose splats are narrow, and for three.js.
 for content in spz cards splats; do
   sky=examples/gallery/cumulus.sky.json
