@@ -76,7 +76,7 @@ make_sky regional "$forecast" --bbox "$regional_box"
 for name in cumulus cumulonimbus; do
   special=(--fly '36.76,-122.09,1500;36.82,-122,2500;36.89,-121.92,900')
   [ "$name" = cumulus ] || special=(--splat-quantize)
-  make_sky "$name" "examples/gallery/$name.sky.json" --max-puffs 15000 --formats x3d,vrml,splats,glb "${special[@]}"
+  make_sky "$name" "examples/gallery/$name.sky.json" --max-puffs 10000 --formats x3d,vrml,splats,glb "${special[@]}"
 done
 make_sky levels_altocumulus examples/gallery/altocumulus.sky.json --max-puffs 4000 --formats x3d,splats
 # Tilesets of few clouds, that each can be told from the others: for CesiumJS, whose splats are narrow, and for three.js.

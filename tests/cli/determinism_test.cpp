@@ -57,7 +57,7 @@ TEST_F(Determinism, AnotherSeedIsAnotherSky) {
 TEST_F(Determinism, AProcessorWithoutFusedMultiplyAdd) {
   const auto gallery = [&](const std::string& name, const RunOptions& options) {
     const Ran ran = runCloudgen({"build", CLOUDGEN_SOURCE_DIR "/examples/gallery/all.sky.json", "--max-puffs",
-                                 "20000", "-o", folder.path() / name},
+                                 "8000", "-o", folder.path() / name},
                                 options);
     EXPECT_EQ(ran.exitCode, 0) << ran.err;
     return contentOf(folder.path() / name);

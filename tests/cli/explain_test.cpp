@@ -53,7 +53,7 @@ std::set<std::string> idsNamedIn(const std::string& folder) {
 class Explain : public ::testing::Test {
  protected:
   void build(const Words& more) const {
-    Words words{"--formats", "x3d", "--max-puffs", "20000"};
+    Words words{"--formats", "x3d", "--max-puffs", "6000"};
     words.insert(words.end(), more.begin(), more.end());
     const Ran ran = buildOnce(words, scene);
     ASSERT_EQ(ran.exitCode, 0) << ran.err;
