@@ -9,7 +9,7 @@ import {rotationAlong} from '../lib/placed.mjs';
 import {Skip} from '../lib/runner.mjs';
 import {until} from './drawing.mjs';
 
-const SIZE = {width: 320, height: 240}, SECONDS = 120;
+const SIZE = {width: 240, height: 180}, SECONDS = 120;
 const JUST = 0.002;
 /** From the side and a little above; level pictures are not seen edge-on. */
 const TOWARDS_VIEWER = [0.77, 0.5, 0.4];
