@@ -44,7 +44,7 @@ struct Recipe {
   Placement billboardPlacement;
   int billboards = 8;           ///< at the coarsest level, a section
   float billboardSize = 0.28f;  ///< standard deviation as a share of the section radius
-  float flattening = 1;         ///< vertical over horizontal deviation of a billboard
+  float flattening = 1;         ///< vertical over horizontal deviation of a billboard; of a veil at most
   // The cloud.
   Range widthMeters, thicknessMeters;
   float opticalDepth = 10;  ///< typical, vertical

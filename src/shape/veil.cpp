@@ -39,7 +39,7 @@ RawShape shapeVeil(const Recipe& recipe, const ShapeRequest& request) {
       const double thinnest = std::min(p.y, depth - p.y);
       // Flat however many there are, or they would be lit as a heap's (light::layerShare).
       const double sigmaY = std::clamp(0.33 * thinnest, 0.012 * depth,
-                                       std::min(0.11 * depth, std::max(1.0, 0.2 * size)));
+                                       std::min(0.11 * depth, std::max(1.0, size * recipe.flattening)));
       puff.center = p;
       puff.sigma = glm::vec3(size * stretch, sigmaY, size / std::sqrt(stretch));
       const double contrast = 0.35 + 1.1 * recipe.fibre + 0.5 * recipe.raggedness;
