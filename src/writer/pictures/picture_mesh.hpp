@@ -9,9 +9,8 @@
 namespace cloudgen::writer {
 
 /// A picture as triangles with a colour at each corner, small ones where it changes: as bright as the picture, and
-/// covering as much. Viewers draw such a pixel
-/// in a tenth of the time that one of a texture takes (X_ITE 15 looks up no texture without two Perlin
-/// noises), and nothing is drawn where nothing is seen.
+/// covering as much. Viewers draw such a pixel in a tenth of the time that one of a texture takes (X_ITE 15 looks up no
+/// texture without two Perlin noises), and nothing is drawn where nothing is seen.
 struct PictureMesh {
   std::vector<glm::vec2> points;       ///< on the picture's plane, metres along right and up
   std::vector<glm::vec4> colors;       ///< sRGB code values and opacity, 0..1

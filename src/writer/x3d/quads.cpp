@@ -111,11 +111,9 @@ QuadMesh crossedQuads(const std::vector<LitPuff>& puffs, const glm::vec3& origin
     const std::array<float, 3> levelness{std::abs(axes[0].y), std::abs(axes[1].y), std::abs(axes[2].y)};
     const auto mostLevel = std::ranges::max_element(levelness) - levelness.begin();
     const auto isUpright = [&](int i) { return levelness[static_cast<size_t>(i)] < 0.5f; };
+    // Its most level plane holds what is seen from above, however small.
     const auto isDrawn = [&](int i) {
-      const bool isSmall = areas[static_cast<size_t>(i)] < kSmallestPlane * largest;
-      // Its most level plane holds what is seen from above, however small.
-      if (isSmall && i != mostLevel && lit.planes != Planes::Level) return false;
-      return lit.planes != (isUpright(i) ? Planes::Level : Planes::Upright);
+      return i == mostLevel || areas[static_cast<size_t>(i)] >= kSmallestPlane * largest;
     };
     // From above a plane that is tilted is narrower than its puff: what they show together is the puff's.
     float levelShare = 0;

@@ -30,15 +30,11 @@ struct QuadMesh {
   std::vector<std::uint32_t> faces;
 };
 
-/// Which of a puff's crossed quads are drawn.
-enum class Planes : unsigned char { All, Level, Upright };
-
 /// A puff to be drawn, with its light in display-linear RGB.
 struct LitPuff {
   shape::Puff puff;
   glm::vec3 color{1};
   float covering = shape::kCoveringAmongMany;  ///< as a blended blob: shape::blendedWidening
-  Planes planes = Planes::All;
 };
 
 /// One quad a puff, laid out for a Billboard with its origin at `origin`: seen along -Z, back to front, no
@@ -47,8 +43,8 @@ QuadMesh facingQuads(const std::vector<LitPuff>& puffs, const glm::vec3& origin,
                      const image::SpriteAtlas& atlas);
 
 /// Up to three crossed quads a puff, in the planes of its own axes, with both faces; a flat puff has just the
-/// level one, as upright slivers would be seen as needles from above. Their
-/// faces are in order.
+/// level one, as upright slivers would be seen as needles from above. Straight from above level ones hold together the
+/// optical depth of their puff. Their faces are in order.
 QuadMesh crossedQuads(const std::vector<LitPuff>& puffs, const glm::vec3& origin,
                       const image::SpriteAtlas& atlas);
 

@@ -13,7 +13,7 @@ void writeScene(const scene::Scene& scene, const Destination& destination, Encod
                 const char* file) {
   const bool vrml97 = encoding == Encoding::Vrml97;  // all its clouds are pictures
   const auto atlases = vrml97 ? std::vector<image::SpriteAtlas>{} : copyTextures(scene, destination.folder);
-  makeTexturesFolder(destination.folder);
+  if (vrml97) makeTexturesFolder(destination.folder);
   const Stage stage = stageOf(scene);
   const auto nodes = nodeWriter(encoding, destination.folder / file);
   QuadShapes shapes(*nodes, atlases);

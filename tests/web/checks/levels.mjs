@@ -13,7 +13,8 @@ const SIZE = {width: 240, height: 180}, SECONDS = 120;
 const JUST = 0.002;
 /** From the side and a little above; level pictures are not seen edge-on. */
 const TOWARDS_VIEWER = [0.77, 0.5, 0.4];
-/** Shares of their own. A cloud in full shows another side than its picture, and one sees only some of it. */
+/** Shares of their own. A cloud in full shows another side than its picture, and one sees only some of it: who is in it sees nothing else, and
+ * only luminance tells. */
 const MOST_OF_PICTURES = {cover: 0.02, luminance: 0.03}, MOST_INTO_FULL = {cover: 0.05, luminance: 0.08};
 
 /** Runs in the page: leaves the widest cloud in levels, and tells of it. X_ITE 15 counts ranges in metres of the scene, whatever the scale. */
