@@ -10,6 +10,10 @@
 
 namespace cloudgen::image {
 
+/// A sprite stands for a Gaussian that is cut off all around at its border: half its side in deviations, and the
+/// share of the Gaussian within, 1 - exp(-2.2^2 / 2).
+inline constexpr float kSpriteReach = 2.2f, kWithinSprite = 0.9111f;
+
 /// One square texture of sprites a genus: `columns` x `rows` tiles, numbered row by row from the top left.
 struct SpriteAtlas {
   base::Genus genus{};

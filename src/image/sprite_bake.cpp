@@ -7,9 +7,12 @@
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "base/file.hpp"
+#include "base/noise.hpp"
 #include "base/thread.hpp"
+#include "image/sprite_atlas.hpp"
 #include "image/sprite_maps.hpp"
 #include "image/sprite_volume.hpp"
 #include "light/color.hpp"
@@ -61,27 +64,69 @@ Texel sampled(const std::vector<Texel>& texels, double u, double v) {
   return {mixed(&Texel::alpha), mixed(&Texel::light)};
 }
 
+/// What a sprite stands for has ended before its border, in half-sides, so that no quad's edge is seen.
+double withinBorder(double u, double v) {
+  return 1 - base::smoothStep(0.85, 1, std::hypot(2 * u - 1, 2 * v - 1));
+}
+
+/// A tile's window on the volume, about its middle.
+struct Window {
+  const std::vector<Texel>& texels;
+  float peak;
+  double zoom = 1;  ///< sides of the volume that it shows
+
+  static double into(double place, double zoom) { return 0.5 + zoom * (place - 0.5); }
+  Texel at(double u, double v) const {
+    Texel texel = sampled(texels, into(u, zoom), into(v, zoom));
+    texel.alpha = std::min(1.0f, texel.alpha / peak) * static_cast<float>(withinBorder(u, v));
+    return texel;
+  }
+  /// Mean alpha.
+  double opacity() const {
+    double sum = 0;
+    for (int y = 0; y < kSpriteVolume; ++y)
+      for (int x = 0; x < kSpriteVolume; ++x)
+        sum += static_cast<double>(at((x + 0.5) / kSpriteVolume, (y + 0.5) / kSpriteVolume).alpha);
+    return sum / (kSpriteVolume * kSpriteVolume);
+  }
+};
+
+/// Torn as they are, sprites are narrower than the Gaussians that they stand for: shows as much of the volume as
+/// makes the sprite as opaque on the mean.
+Window windowOn(const std::vector<Texel>& texels) {
+  constexpr double kOpacity = 0.5 * std::numbers::pi * kWithinSprite / (kSpriteReach * kSpriteReach);
+  Window window{texels, 0.05f};
+  for (const Texel& texel : texels) window.peak = std::max(window.peak, texel.alpha);
+  double least = 0.3, most = 1.2;
+  for (int pass = 0; pass < 12; ++pass) {
+    window.zoom = 0.5 * (least + most);
+    (window.opacity() < kOpacity ? most : least) = window.zoom;
+  }
+  return window;
+}
+
 void bakeTile(ByteImage& image, SpriteMaps* maps, base::Genus genus, int tile) {
   const SpriteTexture texture = spriteTextureOf(genus);
   const auto volume = spriteVolume(
       texture, 1000u * static_cast<std::uint64_t>(genus) + 17u * static_cast<std::uint64_t>(tile) + 3u);
   const auto texels = seenFromTheSide(volume, texture.shading);
   const auto mapTexels = maps ? mapsFromTheSide(volume) : std::vector<MapTexel>();
-  float peak = 0.05f;
-  for (const Texel& texel : texels) peak = std::max(peak, texel.alpha);
+  const Window window = windowOn(texels);
   const int left = (tile % kSpriteTilesAcross) * kSpriteTilePixels,
             top = (tile / kSpriteTilesAcross) * kSpriteTilePixels;
   for (int y = 0; y < kSpriteTilePixels; ++y)
     for (int x = 0; x < kSpriteTilePixels; ++x) {
       const double u = (x + 0.5) / kSpriteTilePixels, v = 1.0 - (y + 0.5) / kSpriteTilePixels;
-      const Texel texel = sampled(texels, u, v);
+      const Texel texel = window.at(u, v);
       const bool border = x == 0 || y == 0 || x == kSpriteTilePixels - 1 || y == kSpriteTilePixels - 1;
       unsigned char* pixel = image.bytes.data() + 2 * (static_cast<size_t>(top + y) * image.width + left + x);
       pixel[0] =
           static_cast<unsigned char>(std::lround(255 * light::srgbFromLinear(glm::vec3(texel.light)).x));
       pixel[1] =
-          border ? 0 : static_cast<unsigned char>(std::lround(255 * std::min(1.0f, texel.alpha / peak)));
-      if (maps) paintMaps(*maps, mapTexels, u, v, left + x, top + y, pixel[1]);
+          border ? 0 : static_cast<unsigned char>(std::lround(255 * texel.alpha));
+      if (maps)
+        paintMaps(*maps, mapTexels, Window::into(u, window.zoom), Window::into(v, window.zoom), left + x, top + y,
+                  pixel[1]);
     }
 }
 

@@ -15,7 +15,7 @@ inline constexpr int kSpriteTilePixels = 128, kSpriteTilesAcross = 4;
 /// The sprite atlas of a genus: 4 x 4 tiles of 128 pixels, grey and straight alpha, display-encoded. Grey,
 /// because VRML97 and X3D 3 let a texture of three colours replace the vertex colours (X3DOM does), and a
 /// grey one modulate them. Each tile is a small cloud of noise, lit from above and seen from the side: alpha
-/// falls off like a Gaussian of 2.3 deviations to the edge and is zero on the tile's border; colour is
+/// has the mean of the Gaussian that it stands for (kSpriteReach) and is zero on the tile's border; colour is
 /// defined under zero alpha too, so that filtering makes no dark fringe.
 /// With maps, for engines that light sprites themselves: see SpriteMaps.
 struct SpriteSheets {

@@ -34,10 +34,10 @@ struct Blob {
   glm::vec3 up() const { return {shape[3], shape[4], shape[5]}; }
 };
 
-/// Half-side of a card, in standard deviations of its sprite: there it ends.
+/// Half-side of a card, in standard deviations of its sprite: there it ends, all around.
 inline constexpr float kCardReach = 2.2f;
-/// Of the Gaussian of a sprite within the border of its card: erf(2.2 / sqrt 2) squared.
-inline constexpr float kWithinCard = 0.9451f;
+/// Of the Gaussian of a sprite within the border of its card: 1 - exp(-2.2^2 / 2).
+inline constexpr float kWithinCard = 0.9111f;
 
 /// A Gaussian blob with half-axes of one standard deviation (columns) whose optical depth along the shortest
 /// of them is `frontalOpticalDepth`.

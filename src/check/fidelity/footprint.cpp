@@ -66,7 +66,7 @@ Footprint footprintOfCard(const Blob& blob, const glm::vec3& center, const glm::
   Footprint out;
   out.place = castPoint(center, view);
   out.reach = kCardReach;
-  out.square = true;
+  out.card = true;
   out.height = center.y;
   const glm::vec3 normal = glm::cross(right, up);
   const float shown = glm::dot(normal, view.toViewer);
@@ -115,7 +115,6 @@ View viewAlong(const glm::vec3& toViewer, double levelMeters) {
 
 glm::vec2 Footprint::halfSides() const {
   const glm::mat2 axes = glm::inverse(toDeviations);
-  if (square) return reach * (glm::abs(axes[0]) + glm::abs(axes[1]));
   return reach * glm::sqrt(axes[0] * axes[0] + axes[1] * axes[1]);
 }
 

@@ -42,7 +42,7 @@ struct Footprint {
   float opacity = 0;          ///< that viewers give its centre
   float narrowing = 1;        ///< deviations of its optical depth to those of its opacity
   float reach = 4;            ///< deviations beyond which it adds nothing
-  bool square = false;        ///< cut off along two axes, as a card is, and not all around
+  bool card = false;          ///< flat
   float height = 0;           ///< mean height of what a ray through the centre meets
   glm::vec2 heightSlope{0};   ///< metres up for a metre in x and in z
   float heightDeviation = 0;  ///< standard deviation of height along a ray
@@ -51,9 +51,7 @@ struct Footprint {
   float opacityShareAt(const glm::vec2& off) const {
     const glm::vec2 deviations = toDeviations * off;
     const float distance = glm::dot(deviations, deviations);
-    const bool met = square ? std::abs(deviations.x) <= reach && std::abs(deviations.y) <= reach
-                            : distance <= reach * reach;
-    return met ? std::exp(-0.5f * distance) : 0.0f;
+    return distance <= reach * reach ? std::exp(-0.5f * distance) : 0.0f;
   }
   /// The optical depth that it adds where it has such a share.
   float opticalDepthOf(float opacityShare) const {

@@ -28,7 +28,7 @@ double normalShareBelow(double deviations) { return 0.5 * std::erfc(-deviations 
 /// Share of what a footprint draws that lies below a height: a normal distribution, of a card no more than
 /// its sprite shows.
 double shareBelow(double height, double mean, const Footprint& footprint) {
-  const double most = footprint.square ? kCardReach : 3.0;
+  const double most = footprint.card ? kCardReach : 3.0;
   const double distance = height - mean;
   if (std::abs(distance) >= most * footprint.heightDeviation) return distance > 0 ? 1 : 0;
   const double cut = normalShareBelow(-most);

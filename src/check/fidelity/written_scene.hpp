@@ -58,7 +58,7 @@ WrittenScene readTileScene(const std::filesystem::path& file, const base::LocalF
 
 /// Reads the clouds of scene.x3d as a viewer far off draws them, but near enough for the first level of every
 /// LOD: cards (pairs of triangles with an RGBA colour and a sprite texture) whose sprite falls off as a
-/// Gaussian of 1/2.2 of the half side and ends at the border, of optical depth -ln(1 - alpha); back faces are
+/// Gaussian of 1/2.2 of the half side and ends there, of optical depth -ln(1 - alpha); back faces are
 /// not drawn. A Billboard faces the viewer, its y axis to where the viewer has up (north, from above). Shapes
 /// without sprites are no clouds. Files that it inlines are read where they lie in its folder or below; a
 /// Switch with an Inline shows that, as it does once a viewer is near.

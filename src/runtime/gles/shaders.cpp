@@ -43,7 +43,7 @@ flat out float vLayer;
 out vec2 vPlace;
 out vec3 vRay;
 
-const float kTile = 2.3;              // deviations from the middle of a sprite to its edge
+const float kTile = 2.2;              // deviations from the middle of a sprite to its edge
 
 void main() {
   gl_Position = vec4(2.0, 2.0, 0.0, 1.0);

@@ -7,15 +7,13 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "image/sprite_atlas.hpp"
 #include "shape/blending.hpp"
 #include "writer/gltf/splat.hpp"
 
 namespace cloudgen::writer::gltf {
 namespace {
 
-constexpr float kSpriteReach = 2.2f;  ///< half-side of a sprite, in its standard deviations
-/// Of the sprite's Gaussian within its border: erf(2.2 / sqrt 2) squared.
-constexpr float kWithinBorder = 0.9451f;
 /// Upright cards, two of them met by a level look.
 constexpr float kUprightShare = 0.5f;
 
@@ -41,11 +39,11 @@ std::array<Card, 3> cardsOf(const shape::Puff& puff, float opticalDepthFactor) {
     if (upwards(plane) > upwards(lying)) lying = plane;
 
   const float standing = kUprightShare * opticalDepthFactor * shape::frontalOpticalDepth(puff);
-  double left = opticalDepthFactor * shape::extinctionArea(puff) / (2 * std::numbers::pi * kWithinBorder);
+  double left = opticalDepthFactor * shape::extinctionArea(puff) / (2 * std::numbers::pi * image::kWithinSprite);
   std::array<Card, 3> cards;
   for (std::size_t plane = 0; plane < 3; ++plane) {
     const auto& [right, up] = kPlanes[plane];
-    const float reach = kSpriteReach;
+    constexpr float reach = image::kSpriteReach;
     cards[plane] = {puff.center, reach * puff.sigma[right] * axes[right], reach * puff.sigma[up] * axes[up],
                     standing, plane != lying};
     if (plane != lying) left -= static_cast<double>(standing * shownUpwards(plane));

@@ -161,7 +161,11 @@ float coveringOf(const scene::Scene& scene, const CloudLook& look, CloudDetail d
   auto all = drawnTogether(scene, look, detail);
   std::vector<shape::Puff> puffs;
   for (const LitPuff& one : litPuffs(scene, look, detail)) puffs.push_back(one.puff);
-  const double wanted = shape::coveredSquareMeters(puffs);
+  const scene::Archetype& archetype = scene.archetypes[scene.lit[look.lit].archetype];
+  const bool far = detail == CloudDetail::Simple && !archetype.farPuffs.empty();
+  PlanOfQuads blended(puffs);
+  blended.addBlended(puffs, far ? archetype.farCovering : archetype.covering);
+  const double wanted = blended.coveredSquareMeters();
   return shape::coveringThat(wanted, [&](float tried) {
     PlanOfQuads plan(puffs);
     for (Drawn& drawn : all) {

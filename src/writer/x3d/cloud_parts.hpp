@@ -26,8 +26,9 @@ enum class CloudDetail : unsigned char {
   Simple  ///< its far puffs in one part
 };
 
-/// How wide the quads of every lit archetype are, so that from above they cover together what its puffs do:
-/// what turns to the viewer shows its side from above, too, which is less than its plan where it is flat.
+/// How wide the quads of every lit archetype are, so that from above they cover together what its puffs do as
+/// blended blobs, which is what clouds are fitted as: what turns to the viewer shows its side from above, too,
+/// which is less than its plan where it is flat.
 class Coverings {
  public:
   /// Of the lit archetypes of these instances.

@@ -8,6 +8,10 @@
 namespace cloudgen::writer {
 namespace {
 
+/// Of what covers, where flanks of neighbours meet. With the half of it skies cover .007 more than they do in splats,
+/// with all .010 less (RUC, 20,000 puffs).
+constexpr double kFlankShare = 2.0 / 3;
+
 /// From above a part that has turned reaches as far to the north as it is high.
 shape::PlanRaster rasterAround(std::span<const shape::Puff> puffs) {
   constexpr int kPixels = 64;
@@ -31,19 +35,28 @@ void PlanOfQuads::addTurning(const QuadMesh& mesh, const glm::vec3& origin) {
         {quad.up.x, -quad.up.y});
 }
 
+void PlanOfQuads::addBlended(std::span<const shape::Puff> puffs, float covering) {
+  for (const shape::Puff& puff : puffs) {
+    const shape::Puff blob = shape::widenedAcross(puff, covering);
+    raster_.add(shape::planOf(blob), shape::BlendedProfile(shape::frontalOpticalDepth(blob)));
+  }
+}
+
 double PlanOfQuads::coveredSquareMeters() const {
-  const auto covered = std::ranges::count_if(
-      raster_.values(), [](float depth) { return depth > shape::kCoveringOpticalDepth; });
-  return static_cast<double>(covered) * raster_.pixel().x * raster_.pixel().y;
+  std::ptrdiff_t covered = 0;
+  for (const double share : {1.0, kFlankShare})
+    covered += std::ranges::count_if(
+        raster_.values(), [&](float depth) { return depth > share * shape::kCoveringOpticalDepth; });
+  return 0.5 * static_cast<double>(covered) * raster_.pixel().x * raster_.pixel().y;
 }
 
 void PlanOfQuads::add(const Quad& quad, const glm::vec2& place, const glm::vec2& right, const glm::vec2& up) {
   constexpr double kLeastShown = 0.05;  // of its sides multiplied
   const double shown = std::abs(static_cast<double>(right.x) * up.y - static_cast<double>(right.y) * up.x);
   if (!(shown > kLeastShown * glm::length(quad.right) * glm::length(quad.up))) return;
-  const glm::dvec2 r = glm::dvec2(right) / static_cast<double>(kSpriteReach),
-                   u = glm::dvec2(up) / static_cast<double>(kSpriteReach);
-  const double border = std::exp(-0.5 * kSpriteReach * kSpriteReach);
+  const glm::dvec2 r = glm::dvec2(right) / static_cast<double>(image::kSpriteReach),
+                   u = glm::dvec2(up) / static_cast<double>(image::kSpriteReach);
+  const double border = std::exp(-0.5 * image::kSpriteReach * image::kSpriteReach);
   const shape::BlendedProfile profile(quad.opticalDepth);
   raster_.add({place.x, place.y, r.x * r.x + u.x * u.x, r.x * r.y + u.x * u.y, r.y * r.y + u.y * u.y},
               [&](double gaussian) { return gaussian < border ? 0.0f : profile(gaussian); });

@@ -18,7 +18,10 @@ class PlanOfQuads {
   void add(const QuadMesh& mesh);
   /// Those of a Billboard with its origin at `origin`, which has turned to the viewer: up is north.
   void addTurning(const QuadMesh& mesh, const glm::vec3& origin);
-  /// What has more than shape::kCoveringOpticalDepth, m2.
+  /// Puffs as blended blobs: shape::widenedAcross.
+  void addBlended(std::span<const shape::Puff> puffs, float covering);
+  /// The mean of what has more than shape::kCoveringOpticalDepth and what has enough to cover where it meets a
+  /// neighbour, m2.
   double coveredSquareMeters() const;
 
  private:

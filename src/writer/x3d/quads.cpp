@@ -18,8 +18,6 @@ namespace {
 constexpr float kWidening = 1.12f;
 constexpr float kFaintest = 0.005f;     ///< opacity below which a quad is left out
 constexpr float kSmallestPlane = 0.7f;  ///< area of a plane, to the largest, below which it is left out
-/// Of the sprite's Gaussian within its border: erf(2.2 / sqrt 2) squared.
-constexpr float kWithinBorder = 0.9451f;
 /// Opacity of upright planes: edge-on, from above, they show as needles.
 constexpr float kUprightShare = 0.7f;
 
@@ -30,7 +28,7 @@ float wideningOf(float opticalDepth, float covering) {
 
 /// Of a quad that is so much wider than a puff of an optical depth through its centre.
 float opticalDepthOfQuad(float opticalDepth, float widening) {
-  return opticalDepth / (kWithinBorder * widening * widening);
+  return opticalDepth / (image::kWithinSprite * widening * widening);
 }
 
 glm::vec4 colorOf(const LitPuff& lit, float opticalDepth) {
@@ -88,7 +86,7 @@ QuadMesh facingQuads(const std::vector<LitPuff>& puffs, const glm::vec3& origin,
     // The quad turns: it shows the same from all sides, and from all sides all of the puff.
     const double area = 2 * std::numbers::pi * glm::length(axes[0]) * glm::length(axes[1]);
     const auto opticalDepth = static_cast<float>(shape::extinctionArea(puff) / std::max(area, 1e-6));
-    const float widening = wideningOf(opticalDepth, puffs[i].covering), reach = widening * kSpriteReach;
+    const float widening = wideningOf(opticalDepth, puffs[i].covering), reach = widening * image::kSpriteReach;
     const float drawnDepth = opticalDepthOfQuad(opticalDepth, widening);
     const glm::vec4 color = colorOf(puffs[i], drawnDepth);
     if (color.a < kFaintest) continue;
@@ -124,7 +122,7 @@ QuadMesh crossedQuads(const std::vector<LitPuff>& puffs, const glm::vec3& origin
       const bool upright = isUpright(i);
       const float opticalDepth =
           shape::centralOpticalDepth(lit.puff.extinctionPerMeter, s[i]) / (upright ? 1 : levelShare);
-      const float widening = wideningOf(opticalDepth, lit.covering), reach = widening * kSpriteReach;
+      const float widening = wideningOf(opticalDepth, lit.covering), reach = widening * image::kSpriteReach;
       const float drawnDepth = opticalDepthOfQuad(opticalDepth, widening);
       glm::vec4 color = colorOf(lit, drawnDepth);
       if (upright) color.a *= kUprightShare;

@@ -12,9 +12,6 @@
 
 namespace cloudgen::writer {
 
-/// Half-side of a sprite, in its standard deviations.
-inline constexpr float kSpriteReach = 2.2f;
-
 /// A textured rectangle; its front looks along right x up.
 struct Quad {
   glm::vec3 center{0}, right{0}, up{0};  ///< half-sides

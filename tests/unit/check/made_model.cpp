@@ -18,7 +18,7 @@ Cloudy cloudyPart(BlobKind kind) {
   Cloudy cloudy;
   for (double x = -reach + 0.5 * kStep; x < reach; x += kStep)
     for (double y = -reach + 0.5 * kStep; y < reach; y += kStep) {
-      const double here = std::exp(-0.5 * (x * x + y * y));
+      const double here = std::hypot(x, y) > reach ? 0 : std::exp(-0.5 * (x * x + y * y));
       if (-std::expm1(-kPeak) * here > -std::expm1(-kCloudyOpticalDepth)) cloudy.area += kStep * kStep;
       cloudy.opticalDepth += kPeak * here * kStep * kStep;
     }

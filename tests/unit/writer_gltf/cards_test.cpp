@@ -151,7 +151,7 @@ TEST_F(Cards, FacesLookToWhereTheirPictureIsSeenFrom) {
 
 /// What level cards hold as extinction, m2, seen from straight above: sprites end at 2.2 deviations.
 double heldUpwards(const std::array<gltf::Card, 3>& cards) {
-  constexpr double kReach = 2.2, kWithinBorder = 0.9451;
+  constexpr double kReach = 2.2, kWithinBorder = 0.9111;
   double held = 0;
   for (const gltf::Card& card : cards)
     held += 2 * std::numbers::pi * kWithinBorder / (kReach * kReach) *

@@ -36,7 +36,7 @@ TEST(Pack, TheFileHasRealSprites) {
   const std::string bytes = base::readFile(folder.path() / "scene.cgpack");
   EXPECT_EQ(findingsOf(bytes), "");
   EXPECT_GT(bytes.size(), test::packOf(scene).size() + 100'000);
-  EXPECT_LT(bytes.size(), test::packOf(scene).size() + 600'000);
+  EXPECT_LT(bytes.size(), test::packOf(scene).size() + 700'000);
 }
 
 TEST(Pack, ASkyWithoutCloudsIsAPack) {

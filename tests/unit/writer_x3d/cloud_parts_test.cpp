@@ -70,7 +70,7 @@ TEST(CloudParts, WhatIsWidenedToCoverAsPuffsDoStillHasTheirExtinction) {
   EXPECT_NEAR(extinctionOf(dense), 40 * thin, 1e-3 * 40 * thin);
   for (const CloudPart& part : dense)
     for (const Quad& quad : part.mesh.quads)
-      EXPECT_NEAR(glm::length(quad.right) / kSpriteReach / quad.widening, 1000, 1);
+      EXPECT_NEAR(glm::length(quad.right) / image::kSpriteReach / quad.widening, 1000, 1);
 }
 
 }  // namespace

@@ -51,9 +51,9 @@ TEST(FacingQuads, ShowTheEllipseOfATurnedPuff) {
 
 TEST(FacingQuads, OpacityFollowsOpticalDepth) {
   const auto mesh = facingQuads({puffAt(glm::vec3(0), glm::vec3(50), 1.0f)}, glm::vec3(0), kAtlas);
-  // What the sprite, a Gaussian cut at 2.2 deviations, shows of it over all of the quad is the whole puff.
+  // What the sprite, a Gaussian cut at 2.2 deviations all around, shows of it over all of the quad is the whole puff.
   const double side = glm::length(mesh.quads[0].right) / 2.2,
-               shown = std::pow(std::erf(2.2 / std::sqrt(2.0)), 2);
+               shown = 1 - std::exp(-0.5 * 2.2 * 2.2);
   EXPECT_NEAR(-std::log1p(-mesh.quads[0].color.a) * side * side * shown, 50.0 * 50.0, 5);
   EXPECT_TRUE(facingQuads({puffAt(glm::vec3(0), glm::vec3(50), 0.001f)}, glm::vec3(0), kAtlas).quads.empty());
 }
@@ -67,7 +67,7 @@ TEST(CrossedQuads, ARoundPuffHasThreeCardsAFlatOneOne) {
 
 /// Optical depth times area that level quads show from straight above.
 double shownFromAbove(const QuadMesh& mesh) {
-  const double withinBorder = std::pow(std::erf(2.2 / std::sqrt(2.0)), 2);
+  const double withinBorder = 1 - std::exp(-0.5 * 2.2 * 2.2);
   double sum = 0;
   for (const Quad& quad : mesh.quads) {
     const double area = std::abs(glm::cross(quad.right, quad.up).y) / (2.2 * 2.2);
