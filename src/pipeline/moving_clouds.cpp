@@ -15,27 +15,31 @@ namespace {
 /// The least size of a cloud that comes or goes; what is left is not there.
 constexpr float kLeastGrowth = 0.02f;
 
-/// A cloud that forms (share from 0 to 1): its area grows evenly, and so do cover and water; nothing is there
-/// at first.
-scene::Moment formed(double share) {
-  return {glm::vec3(0), std::max(kLeastGrowth, static_cast<float>(std::sqrt(share))),
-          share > 0 ? 1.0f : 0.0f};
+/// A cloud that forms (share from 0 to 1) in a layer of a fraction: cover and water grow evenly; nothing is there at
+/// first. Where clouds lie over one another by chance, areas of s times their own cover 1 - (1 - fraction)^s.
+scene::Moment formed(double share, double fraction) {
+  constexpr double kMostByChance = 0.8;  ///< sheets are more even
+  const double cover = std::clamp(fraction, 0.01, kMostByChance);
+  const double area = std::log1p(-cover * share) / std::log1p(-cover);
+  return {glm::vec3(0), std::max(kLeastGrowth, static_cast<float>(std::sqrt(area))),
+          share > 0 ? static_cast<float>(share / area) : 0.0f};
 }
 
 /// Two dense clouds of one size over one another, each half as dense, cover this much more than either: their edges
 /// differ.
 constexpr double kMoreOfTwo = 0.2;
 
-/// Of a pair, the one that is there by a share: smaller and denser by what two cover more.
-scene::Moment ofPair(double share, float growth, float opticalDepth) {
+/// Of a pair, the one that is there by a share of its water: smaller by what two cover more.
+scene::Moment ofPair(double share, double growth, float opticalDepth) {
   const double more = 1 + kMoreOfTwo * (1 - std::exp(-0.5 * opticalDepth)) * 4 * share * (1 - share);
-  return {glm::vec3(0), growth / static_cast<float>(std::sqrt(more)), static_cast<float>(share * more)};
+  const double area = growth * growth / more;
+  return {glm::vec3(0), static_cast<float>(std::sqrt(area)), static_cast<float>(share / area)};
 }
 
 /// Of a width on the way to another, over its own: the area goes evenly.
-float grown(float width, float towards, double share) {
+double grown(float width, float towards, double share) {
   const double ratio = towards / width;
-  return static_cast<float>(std::sqrt(1 + share * (ratio * ratio - 1)));
+  return std::sqrt(1 + share * (ratio * ratio - 1));
 }
 
 double eased(double share) { return share * share * (3 - 2 * share); }
@@ -92,7 +96,7 @@ std::vector<scene::Moment> momentsOf(const Passage& passage, const CloudsOfTime&
     const double share = static_cast<double>(i) / passage.intervals, away = comes ? 1 - share : share;
     glm::dvec2 place = way[at];
     double base = own.baseMeters;
-    scene::Moment moment = formed(crosses && away < 1 ? 1 : 1 - away);
+    scene::Moment moment = formed(crosses && away < 1 ? 1 : 1 - away, (comes ? later : earlier).fractions[cloud]);
     if (fate.partner) {
       const motion::CarriedCloud& partner = (comes ? earlier : later).clouds[*fate.partner];
       place = comes ? placeOfPair(passage.forwards[*fate.partner], way, at)
@@ -125,13 +129,14 @@ float turnOf(const field::Grid& grid, std::uint32_t cell) {
 
 CloudsOfTime cloudsOfTime(const field::Grid& grid, const base::LocalFrame& frame,
                           const field::CloudTable& table) {
-  CloudsOfTime out{{}, {}, frame.lowerCorner(), frame.upperCorner()};
+  CloudsOfTime out{{}, {}, {}, frame.lowerCorner(), frame.upperCorner()};
   for (const field::Cloud& cloud : table.clouds) {
     const glm::dvec3 at = frame.toScene(cloud.longitudeDegrees, cloud.latitudeDegrees, cloud.baseMeters);
     const field::Layer& layer = table.layers[cloud.layer];
     out.clouds.push_back({{at.x, at.z}, cloud.widthMeters, cloud.baseMeters, cloud.depthMeters, layer.genus,
                           cloud.opticalDepth});
     out.turns.push_back(turnOf(grid, layer.cell));
+    out.fractions.push_back(layer.fraction);
   }
   return out;
 }

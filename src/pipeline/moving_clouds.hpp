@@ -20,6 +20,7 @@ struct CloudsOfTime {
   /// Of each cloud: the share of the time to another at which its cell shows that one's clouds (see skiesOf). Evenly
   /// spread over neighbouring cells, and the same for a cell at all times.
   std::vector<float> turns;
+  std::vector<float> fractions;   ///< of each cloud: the cover of its layer
   glm::dvec2 lower{0}, upper{0};  ///< of the scene's box: nothing is known of the wind beyond
 };
 

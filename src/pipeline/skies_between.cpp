@@ -26,6 +26,7 @@ void take(const CloudsOfTime& from, std::uint32_t cloud, bool later, const glm::
   moved.place += shift;
   sky.clouds.clouds.push_back(moved);
   sky.clouds.turns.push_back(from.turns[cloud]);
+  sky.clouds.fractions.push_back(from.fractions[cloud]);
   sky.origins.push_back({later, cloud, shift});
 }
 

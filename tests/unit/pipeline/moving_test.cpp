@@ -134,6 +134,14 @@ TEST(Moving, CoverAndWaterGoFromOneTimeToTheNext) {
   }
 }
 
+// Elements of a sheet overlap: shrunk evenly they would hide for long how many have gone.
+TEST(Moving, ASheetThatDissolvesOpensFromTheFirst) {
+  const MovingSky sky = stratocumulus({0.95f, 0.2f}).built();
+  const auto start = seenAt(sky, 0), end = seenAt(sky, 3600);
+  for (const double share : {0.25, 0.5, 0.75})
+    EXPECT_NEAR(seenAt(sky, 3600 * share).cover(), start.cover() + share * (end.cover() - start.cover()), 0.05) << share;
+}
+
 /// The wind beyond the box is nobody's forecast: no cloud is carried further out than it is wide.
 TEST(Moving, CloudsVanishWhereTheyLeaveTheBox) {
   MadeForecast forecast = stratocumulus({0.6f, 0.6f});

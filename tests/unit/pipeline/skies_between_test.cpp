@@ -10,11 +10,12 @@ constexpr glm::dvec2 kLower{0, 0}, kUpper{100'000, 100'000};
 
 /// A cloud a cell of 5 km, each with its turn.
 CloudsOfTime evenClouds(float width) {
-  CloudsOfTime time{{}, {}, kLower, kUpper};
+  CloudsOfTime time{{}, {}, {}, kLower, kUpper};
   for (int row = 0; row < 20; ++row)
     for (int column = 0; column < 20; ++column) {
       time.clouds.push_back({{5000.0 * column + 2500, 5000.0 * row + 2500}, width, 1000, 1000, base::Genus::Cumulus});
       time.turns.push_back(static_cast<float>((row * 20 + column) * 7 % 400) / 400.0f);
+      time.fractions.push_back(0.5f);
     }
   return time;
 }
@@ -34,7 +35,7 @@ TEST(SkiesBetween, TimeIsCutOnlyWhereTheAirOfTheBoxIsAnother) {
   EXPECT_EQ(stretches(10), 1) << "36 of 100 km";
   EXPECT_EQ(stretches(20), 3) << "72 of 100 km, 24 in a third of the time";
   EXPECT_EQ(stretches(150), kMostStretches);
-  EXPECT_EQ(stretchesBetween({{}, {}, kLower, kUpper}, {{}, {}, kLower, kUpper}, {evenWind(150), evenWind(150), 3600}), 1);
+  EXPECT_EQ(stretchesBetween({{}, {}, {}, kLower, kUpper}, {{}, {}, {}, kLower, kUpper}, {evenWind(150), evenWind(150), 3600}), 1);
 }
 
 TEST(SkiesBetween, CellsTurnOneAfterAnother) {
