@@ -74,7 +74,7 @@ make_sky theatre "$forecast" --bbox "$theatre_box"
 make_sky regional "$forecast" --bbox "$regional_box"
 # Browsers render in software here: two heaps of clouds in less detail, without the page that the first two have.
 for name in cumulus cumulonimbus; do
-  special=(--fly '36.76,-122.09,1500;36.82,-122,2500;36.89,-121.92,900')
+  special=(--fly '36.76,-122.09,1500;36.82,-122,2500;36.89,-121.92,900' --x3d-profile geo)
   [ "$name" = cumulus ] || special=(--splat-quantize)
   make_sky "$name" "examples/gallery/$name.sky.json" --max-puffs 10000 --formats x3d,vrml,splats,glb "${special[@]}"
 done

@@ -27,7 +27,7 @@ namespace {
 struct BuildLine {
   InputLine input;
   std::string output, box, formats, sun = "auto", frame = "local", types, typing, shard, maxMemory,
-                                    tiles = "auto", fly;
+                                    tiles = "auto", x3dProfile = "portable", fly;
   ShapeLine shape;
   double typingWindowMinutes = 180;
   std::uint64_t seed = 1, maxPuffs = 200'000;
@@ -43,6 +43,7 @@ void refuseWhatIsNotBuilt(const BuildLine& line) {
   };
   if (!line.shard.empty()) refuse("--shard", "building in shards");
   if (!line.maxMemory.empty()) refuse("--max-memory", "a memory limit");
+  if (line.x3dProfile == "xite") refuse("--x3d-profile xite", "X3D with shaders of its own");
   if (line.frame == "geo") refuse("--frame geo", "the curved-Earth frame");
   if (line.frame != "local")
     throw base::UsageError("--frame " + line.frame, "is not a known frame", "use local");
@@ -197,6 +198,7 @@ int build(const BuildLine& line, const Terminal& terminal) {
   destination.tiles = {tileContents().at(line.tiles), line.tilesGzip};
   destination.splats = {line.splatDegree, line.splatQuantize};
   destination.cards.singly = line.glbNodes;
+  destination.x3d.onGlobe = line.x3dProfile == "geo";
   destination.flight = flight;
   const auto write = [&](bool showingVerification) {
     for (const writer::Format* format : formats) {
@@ -310,6 +312,12 @@ std::function<int()> setupBuild(CLI::App& options, const Terminal& terminal) {
       ->capture_default_str();
   options.add_flag("--splat-quantize", line->splatQuantize,
                    "scene.splats.glb in shorts and bytes (KHR_mesh_quantization): about half as large");
+  options
+      .add_option("--x3d-profile", line->x3dProfile,
+                  "portable: what X_ITE, X3DOM and view3dscene all draw; geo: also scene.geo.x3d, which has scene.x3d on the "
+                  "globe, for viewers with the Geospatial component (X_ITE); xite (not built yet)")
+      ->check(CLI::IsMember({"portable", "geo", "xite"}))
+      ->capture_default_str();
   options.add_option(
       "--fly", line->fly,
       "LATITUDE,LONGITUDE,METRES;...: X3D and VRML get a viewpoint that flies along these places");

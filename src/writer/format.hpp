@@ -34,6 +34,10 @@ struct CardOptions {
   bool singly = false;  ///< scene.glb has a node a cloud, for viewers without EXT_mesh_gpu_instancing
 };
 
+struct X3dOptions {
+  bool onGlobe = false;  ///< scene.geo.x3d beside scene.x3d
+};
+
 /// Where a writer puts its files, and whom it tells how far it is.
 struct Destination {
   std::filesystem::path folder;  ///< exists; files of other formats may already be in it
@@ -44,6 +48,7 @@ struct Destination {
   TilesOptions tiles = {};
   SplatOptions splats = {};
   CardOptions cards = {};
+  X3dOptions x3d = {};
   std::vector<glm::dvec3> flight = {};  ///< places of a viewpoint that flies: degrees east, north, metres
 };
 

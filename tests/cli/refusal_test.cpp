@@ -132,6 +132,7 @@ TEST_F(Refusal, WordsThatItDoesNotKnow) {
 TEST_F(Refusal, WhatIsNotBuilt) {
   refuses(buildWith({"--formats", "x3d,vdb"}), kNotBuilt, "vdb");
   refuses(buildWith({"--frame", "geo"}), kNotBuilt, "--frame geo");
+  refuses(buildWith({"--x3d-profile", "xite"}), kNotBuilt, "--x3d-profile xite");
   refuses(buildWith({"--shard", "1/4"}), kNotBuilt, "--shard");
   refuses({"merge", out, "-o", out}, kNotBuilt, "merge");
 }

@@ -17,6 +17,7 @@ import {serve} from './lib/server.mjs';
 import {drawsByComparison, drawsByRemoval} from './checks/drawing.mjs';
 import {skyMoves} from './checks/film.mjs';
 import {fliesOnceChosen} from './checks/flight.mjs';
+import {looksTheSameOnTheGlobe} from './checks/globe.mjs';
 import {levelsSwitchUnseen} from './checks/levels.mjs';
 import {pageWorks} from './checks/page.mjs';
 import {folderIsStreamed} from './checks/page_folder.mjs';
@@ -93,6 +94,10 @@ async function checkScene(runner, folder, onlyPage, turn) {
   if (isForLevels) return;
   draws('X_ITE', 'xite', 'scene.x3d', 3000);
   draws('X_ITE', 'xite', 'scene.wrl', 3000);
+  if (browser && has('scene.geo.x3d'))
+    runner.add(`${scene}: X_ITE has scene.geo.x3d in place`, 200, () =>
+      looksTheSameOnTheGlobe({globe: at('xite', '/scene/scene.geo.x3d'), plane: at('xite', '/scene/scene.x3d')}, picture('globe')),
+    );
   if (browser && has('scene.x3d') && texts['/empty.x3d'].includes('View_Flight'))
     runner.add(`${scene}: X_ITE flies along --fly in scene.x3d`, 200, () => fliesOnceChosen(at('xite', '/scene/scene.x3d')));
   if (has('scene.x3d')) {

@@ -270,6 +270,24 @@ void keepShown(PictureMesh& mesh, const glm::dvec4& wanted) {
   }
 }
 
+float missOf(const PictureMesh& mesh, const std::vector<Triangle>& triangles, const Network& network,
+             const glm::vec2& sides) {
+  const auto shownAt = [&](std::size_t corner) {
+    const glm::vec4& color = mesh.colors[mesh.indices[corner]];
+    return glm::vec4(color.w * glm::vec3(color), color.w);
+  };
+  double missed = 0;
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const std::array shown{shownAt(3 * t), shownAt(3 * t + 1), shownAt(3 * t + 2)};
+    forEachWithin(triangles[t], [&](const glm::ivec2& at, const glm::vec3& shares) {
+      const glm::vec4 away = shares.x * shown[0] + shares.y * shown[1] + shares.z * shown[2] - network.sample(at).multiplied;
+      missed += 0.5f * glm::length(away);
+    });
+  }
+  const float cell = sides.x * sides.y / (kCells * kCells);
+  return cell * static_cast<float>(missed) / (2 * (sides.x + sides.y));
+}
+
 PictureMesh meshOf(const PuffPicture& picture, Network& network, const glm::dvec4& shown, std::size_t mostTriangles) {
   PictureMesh mesh;
   const glm::vec2 step = (picture.upper - picture.lower) / static_cast<float>(kCells);
@@ -287,6 +305,7 @@ PictureMesh meshOf(const PuffPicture& picture, Network& network, const glm::dvec
     }
   fit(mesh, triangles, network);
   keepShown(mesh, shown);
+  mesh.missMeters = missOf(mesh, triangles, network, picture.upper - picture.lower);
   return mesh;
 }
 

@@ -15,6 +15,9 @@ struct PictureMesh {
   std::vector<glm::vec2> points;       ///< on the picture's plane, metres along right and up
   std::vector<glm::vec4> colors;       ///< sRGB code values and opacity, 0..1
   std::vector<std::uint32_t> indices;  ///< three a triangle, counter-clockwise
+  /// What it shows otherwise than the picture (mean over opacity and premultiplied colours, times area) to the length
+  /// of the picture's border: by so much a sharp outline of the picture's size would have to lie elsewhere.
+  float missMeters = 0;
 };
 
 /// One for each number, which rise: of at most so many triangles, fewer where the picture needs no more.

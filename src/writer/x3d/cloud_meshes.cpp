@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "writer/x3d/cloud_meshes.hpp"
 
+#include <algorithm>
+
 #include "base/thread.hpp"
 
 namespace cloudgen::writer {
@@ -8,6 +10,9 @@ namespace {
 
 constexpr int kPixels = 128;
 constexpr std::array<std::size_t, 3> kTriangles{120, 400, 1000};  ///< from coarse to fine
+/// A coarser picture may miss the finest by so many pixels of a window that is 720 pixels high, X3D's usual field of view
+/// of 45 degrees high.
+constexpr float kMostPixels = 0.8f, kPixelsPerRadian = 869;
 
 }  // namespace
 
@@ -29,7 +34,12 @@ CloudMeshes::CloudMeshes(const scene::Scene& scene) : scene_(scene), wholes_(sce
     for (ColorMesh& mesh : whole.meshes) mesh.mayHide = whole.turns;
     for (const CloudPicture& one : near.pictures) {
       const std::vector<PictureMesh> flat = meshesOf(one.picture, kTriangles);
-      for (std::size_t f = 0; f < flat.size(); ++f) appendMesh(one, flat[f], whole.middle, whole.meshes[flat.size() - 1 - f]);
+      for (std::size_t f = 0; f < flat.size(); ++f) {
+        const std::size_t fineness = flat.size() - 1 - f;
+        appendMesh(one, flat[f], whole.middle, whole.meshes[fineness]);
+        whole.beginnings[fineness] =
+            std::max(whole.beginnings[fineness], flat[f].missMeters * kPixelsPerRadian / kMostPixels);
+      }
     }
   });
 }

@@ -20,12 +20,18 @@ class CloudMeshes {
   /// Writes one as it is under a share of the sun, in its own metres.
   void write(NodeWriter& nodes, std::uint32_t archetype, float sunlight, MeshFineness fineness) const;
 
+  /// How far away, in metres of the archetype, its picture of a fineness does as well as a finer one.
+  float beginningOf(std::uint32_t archetype, MeshFineness fineness) const {
+    return wholes_[archetype].beginnings[static_cast<std::size_t>(fineness)];
+  }
+
  private:
   struct Whole {
     std::uint32_t lit = 0;  ///< what it is painted of
     bool turns = false;
     glm::vec3 middle{0};
-    std::array<ColorMesh, 3> meshes;  ///< by MeshFineness
+    std::array<ColorMesh, 3> meshes;         ///< by MeshFineness
+    std::array<float, 3> beginnings{0, 0, 0};  ///< the same
   };
   const scene::Scene& scene_;
   std::vector<Whole> wholes_;  ///< by archetype

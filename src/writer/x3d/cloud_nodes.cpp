@@ -2,7 +2,6 @@
 #include "writer/x3d/cloud_nodes.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "writer/x3d/cloud_record.hpp"
@@ -37,27 +36,16 @@ CloudLook lookOf(const scene::Instance& instance) {
           std::pow(kDepthStep, static_cast<float>(depthStepOf(instance)))};
 }
 
-/// Of a cloud's own size: how far away it is drawn in full, at least and at most, and from where on as a
-/// picture that is less fine, and coarse.
-constexpr float kLeastSizes = 0.15f, kMostSizes = 0.25f, kMiddleSizes = 3, kCoarseSizes = 8;
+/// Of a cloud's own size: how far away it is drawn in full, at least and at most.
+constexpr float kLeastSizes = 0.15f, kMostSizes = 0.25f;
 constexpr std::array kFineToCoarse{MeshFineness::Fine, MeshFineness::Middle, MeshFineness::Coarse};
 
-/// How far away a picture gives way to the next coarser one.
-float endOf(MeshFineness fineness, float size) {
-  return (fineness == MeshFineness::Fine ? kMiddleSizes : kCoarseSizes) * size;
-}
+}  // namespace
 
-float nearRange(float size, float reachMeters) {
+float nearRange(const scene::Scene& scene, const scene::Instance& instance, float reachMeters) {
+  const float size = sizeOf(scene, instance);
   return std::clamp(reachMeters, kLeastSizes * size, kMostSizes * size);
 }
-
-/// How far away a picture begins to be drawn.
-float beginningOf(MeshFineness fineness, float size, float reachMeters) {
-  if (fineness == MeshFineness::Fine) return nearRange(size, reachMeters);
-  return endOf(fineness == MeshFineness::Middle ? MeshFineness::Fine : MeshFineness::Middle, size);
-}
-
-}  // namespace
 
 void CloudNodes::near(std::uint32_t i, float reachMeters, Beyond beyond) {
   const scene::Instance& instance = scene_.instances[i];
@@ -68,16 +56,11 @@ void CloudNodes::near(std::uint32_t i, float reachMeters, Beyond beyond) {
     return nodes_.close();
   }
   const std::vector<CloudPart> full = partsIn(instance, CloudDetail::Full);
-  const float size = sizeOf(scene_, instance);
-  std::vector<float> ranges{nearRange(size, reachMeters)};
-  std::vector<MeshFineness> pictures;
-  for (const MeshFineness fineness : kFineToCoarse) {
-    if (beyond == Beyond::Elsewhere && fineness >= finestWhole_) break;
-    pictures.push_back(fineness);
-    if (fineness != MeshFineness::Coarse) ranges.push_back(endOf(fineness, size));
-  }
+  const std::array<float, 3> beginnings = beginningsOf(instance, reachMeters);
+  const std::size_t here = beyond == Beyond::Here ? beginnings.size() : static_cast<std::size_t>(finestWhole_);
+  const auto pictures = std::span(kFineToCoarse).first(here);
 
-  openLevels(instance, name, ranges);
+  openLevels(instance, name, std::span(beginnings).first(beyond == Beyond::Here ? here : here + 1));
   parts(genusOf(scene_, instance), full, {});
   for (const MeshFineness fineness : pictures) picture(instance, fineness);
   if (beyond == Beyond::Elsewhere) empty();
@@ -92,12 +75,9 @@ void CloudNodes::whole(std::uint32_t i, std::optional<float> reachMeters) {
       fmt::format("{}_{}_shade{}", reachMeters ? "Beyond" : "Whole", archetype, shadeOf(instance));
   film_.openFollower(i, instance);
   if (defined_.insert(name).second) {
-    const float size = sizeOf(scene_, instance);
-    std::vector<float> ranges;
-    if (reachMeters) ranges.push_back(beginningOf(finestWhole_, size, *reachMeters));
-    for (const MeshFineness fineness : kFineToCoarse)
-      if (fineness >= finestWhole_ && fineness != MeshFineness::Coarse) ranges.push_back(endOf(fineness, size));
-    openLevels(instance, name, ranges);
+    const std::array<float, 3> beginnings = beginningsOf(instance, reachMeters.value_or(0));
+    const std::size_t first = static_cast<std::size_t>(finestWhole_) + (reachMeters ? 0 : 1);
+    openLevels(instance, name, std::span(beginnings).subspan(first));
     if (reachMeters) empty();
     for (const MeshFineness fineness : kFineToCoarse)
       if (fineness >= finestWhole_) picture(instance, fineness);
@@ -106,6 +86,15 @@ void CloudNodes::whole(std::uint32_t i, std::optional<float> reachMeters) {
     nodes_.use("LOD", "children", name);
   }
   nodes_.close();
+}
+
+std::array<float, 3> CloudNodes::beginningsOf(const scene::Instance& instance, float reachMeters) const {
+  constexpr float kStep = 1.1f;  // they rise, whatever the pictures are
+  const std::uint32_t archetype = scene_.lit[instance.lit].archetype;
+  std::array<float, 3> beginnings{nearRange(scene_, instance, reachMeters)};
+  for (std::size_t i = 1; i < beginnings.size(); ++i)
+    beginnings[i] = std::max(meshes_.beginningOf(archetype, kFineToCoarse[i]), kStep * beginnings[i - 1] + 1);
+  return beginnings;
 }
 
 void CloudNodes::empty() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <optional>
 #include <set>
 #include <string>
@@ -14,6 +15,10 @@ namespace cloudgen::writer {
 
 /// Where a cloud is drawn for those who are not near it.
 enum class Beyond : unsigned char { Here, Elsewhere };
+
+/// How far away from its middle a cloud is drawn in full where that is wanted `reachMeters` away: a little of its own
+/// size, metres of its archetype.
+float nearRange(const scene::Scene& scene, const scene::Instance& instance, float reachMeters);
 
 /// Writes clouds of one file as nodes: a Transform with the cloud's record as metadata around its lit
 /// archetype, which the first cloud that needs it defines and the others use.
@@ -45,6 +50,8 @@ class CloudNodes {
   void open(std::uint32_t instance);
   std::string nameOf(const scene::Instance& instance) const;
   void openLevels(const scene::Instance& instance, const std::string& def, std::span<const float> ranges);
+  /// How far away its pictures begin, by MeshFineness.
+  std::array<float, 3> beginningsOf(const scene::Instance& instance, float reachMeters) const;
   void empty();
   void picture(const scene::Instance& instance, MeshFineness fineness);
   std::vector<CloudPart> partsIn(const scene::Instance& instance, CloudDetail detail) const;

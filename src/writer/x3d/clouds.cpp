@@ -32,6 +32,8 @@ constexpr float kFlatRange = 0.75f;
 /// (gl.getParameter and gl.readPixels in ImageTexture), a fifth of a second each for sheets, four seconds
 /// each for cards over all of a region. Parsing, nodes and sensors take a hundredth of that.
 constexpr float kLoadAhead = 1.15f;
+/// The same where clouds are loaded that are in full only around a viewer who is in them: some of a flight.
+constexpr float kLoadAheadMeters = 300;
 
 const scene::Archetype& archetypeOf(const scene::Scene& scene, std::uint32_t instance) {
   return scene.archetypes[scene.lit[scene.instances[instance].lit].archetype];
@@ -157,9 +159,19 @@ class Tiles {
     return static_cast<float>(std::sqrt(clouds * area / (std::numbers::pi * count)));
   }
 
+  /// Where a viewer is who is in one of a tile's clouds, as a box about its middle.
+  glm::vec3 sizeWithin(const TileNode& tile) const {
+    float near = 0;
+    for (const std::uint32_t i : tile.instances) {
+      const scene::Instance& cloud = scene_.instances[i];
+      near = std::max(near, std::max(cloud.scale, 1.0f) * nearRange(scene_, cloud, reachOf(kNearClouds)));
+    }
+    return tile.upper - tile.lower + 2 * near;
+  }
+
   /// A viewer in the middle of a square always sees its clouds.
   float rangeOf(const TileNode& tile) const {
-    if (isSmall_) return reachOf(kNearClouds) + 0.7f * tile.side;
+    if (isSmall_) return 0.5f * glm::length(sizeWithin(tile));
     if (isFlat(tile)) return kFlatRange * tile.side;
     return std::clamp(reachOf(kLiveClouds) + 0.5f * tile.side, 0.9f * tile.side,
                       std::max(4 * stage_.extent, tile.side));
@@ -221,7 +233,7 @@ class Tiles {
     const float range = rangeOf(tile);
     nodes.open("ProximitySensor", "children", "Near_" + tile.name);
     nodes.vector("center", tile.middle(), 1);
-    nodes.vector("size", glm::vec3(2 * kLoadAhead * range), 0);
+    nodes.vector("size", isSmall_ ? sizeWithin(tile) + 2 * kLoadAheadMeters : glm::vec3(2 * kLoadAhead * range), 0);
     nodes.close();
     nodes.open("LoadSensor", "children", "Loaded_" + tile.name);
     nodes.open("Inline", "children", "Clouds_" + tile.name);

@@ -10,7 +10,7 @@ class XmlWriter : public NodeWriter {
  public:
   using NodeWriter::NodeWriter;
   Encoding encoding() const override { return Encoding::Xml; }
-  void start(const HeadEntries& head) override;
+  void start(const HeadEntries& head, std::string_view component) override;
   void open(std::string_view type, std::string_view field, std::string_view def) override;
   void close() override;
   void use(std::string_view type, std::string_view field, std::string_view def) override;
@@ -35,7 +35,7 @@ class VrmlWriter : public NodeWriter {
  public:
   VrmlWriter(const std::filesystem::path& file, Encoding encoding) : NodeWriter(file), encoding_(encoding) {}
   Encoding encoding() const override { return encoding_; }
-  void start(const HeadEntries& head) override;
+  void start(const HeadEntries& head, std::string_view component) override;
   void open(std::string_view type, std::string_view field, std::string_view def) override;
   void close() override;
   void use(std::string_view type, std::string_view field, std::string_view def) override;

@@ -170,11 +170,15 @@ HeadEntries headOf(const scene::Scene& scene, const Stage& stage) {
   return head;
 }
 
+void writeSurroundings(NodeWriter& nodes, const scene::Scene& scene, const Stage& stage) {
+  writeNavigation(nodes, stage);
+  writeBackground(nodes, scene.sky);
+}
+
 void writeEnvironment(NodeWriter& nodes, const scene::Scene& scene, const Stage& stage,
                       const HeadEntries& head, const std::vector<glm::vec3>& flight) {
   writeInfo(nodes, head);
-  writeNavigation(nodes, stage);
-  writeBackground(nodes, scene.sky);
+  writeSurroundings(nodes, scene, stage);
   writeViews(nodes, scene, stage);
   writeFlight(nodes, flight);
   writeSun(nodes, scene.sun);

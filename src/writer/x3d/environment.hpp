@@ -10,6 +10,9 @@ namespace cloudgen::writer {
 /// between runs.
 HeadEntries headOf(const scene::Scene& scene, const Stage& stage);
 
+/// NavigationInfo and Background.
+void writeSurroundings(NodeWriter& nodes, const scene::Scene& scene, const Stage& stage);
+
 /// All but the clouds: WorldInfo, NavigationInfo, Background, Viewpoints, sun, ground, lines of longitude and
 /// latitude. `flight` are places that another Viewpoint flies along, in the scene frame; none with fewer than
 /// two.

@@ -33,6 +33,17 @@ void NodeWriter::vector(std::string_view name, const glm::vec3& value, int decim
   closeField(false);
 }
 
+void NodeWriter::place(std::string_view name, const glm::dvec3& value) {
+  constexpr int kDegreeDecimals = 7, kMeterDecimals = 1;  // some centimetres
+  openField(name, false);
+  base::appendFixed(text(), value.x, kDegreeDecimals);
+  text() += ' ';
+  base::appendFixed(text(), value.y, kDegreeDecimals);
+  text() += ' ';
+  base::appendFixed(text(), value.z, kMeterDecimals);
+  closeField(false);
+}
+
 void NodeWriter::rotation(std::string_view name, const glm::vec4& value) {
   openField(name, false);
   appendNumbers(text(), std::array{value.x, value.y, value.z, value.w}, 5);

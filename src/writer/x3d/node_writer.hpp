@@ -34,7 +34,8 @@ class NodeWriter {
   NodeWriter& operator=(const NodeWriter&) = delete;
 
   virtual Encoding encoding() const = 0;
-  virtual void start(const HeadEntries& head) = 0;
+  /// `component`: one of X3D that the scene needs beside its profile; none of VRML97.
+  virtual void start(const HeadEntries& head, std::string_view component = {}) = 0;
   virtual void open(std::string_view type, std::string_view field = "children",
                     std::string_view def = {}) = 0;
   virtual void close() = 0;
@@ -51,6 +52,8 @@ class NodeWriter {
   /// One value of 1 to 4 numbers.
   void number(std::string_view name, double value, int decimals);
   void vector(std::string_view name, const glm::vec3& value, int decimals);
+  /// Degrees of latitude and longitude, and metres.
+  void place(std::string_view name, const glm::dvec3& value);
   void rotation(std::string_view name, const glm::vec4& value);
   /// Many values; `group` numbers each.
   void numbers(std::string_view name, std::span<const float> values, int group, int decimals);

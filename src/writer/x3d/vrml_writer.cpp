@@ -20,8 +20,9 @@ bool holdsMany(std::string_view field) { return field == "children" || field == 
 
 }  // namespace
 
-void VrmlWriter::start(const HeadEntries& head) {
+void VrmlWriter::start(const HeadEntries& head, std::string_view component) {
   text() += encoding_ == Encoding::Classic ? "#X3D V4.0 utf8\nPROFILE Immersive\n" : "#VRML V2.0 utf8\n";
+  if (!component.empty() && encoding_ == Encoding::Classic) text() += fmt::format("COMPONENT {}:1\n", component);
   for (const auto& [name, content] : head) {
     if (encoding_ == Encoding::Vrml97) {
       text() += "# " + name + ": " + cleanText(content);

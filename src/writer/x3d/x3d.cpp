@@ -4,6 +4,7 @@
 #include "writer/copy_textures.hpp"
 #include "writer/x3d/clouds.hpp"
 #include "writer/x3d/environment.hpp"
+#include "writer/x3d/geo_scene.hpp"
 #include "writer/x3d/vrml97_clouds.hpp"
 
 namespace cloudgen::writer {
@@ -31,6 +32,7 @@ void writeScene(const scene::Scene& scene, const Destination& destination, Encod
 
 void writeX3d(const scene::Scene& scene, const Destination& destination) {
   writeScene(scene, destination, Encoding::Xml, "scene.x3d");
+  if (destination.x3d.onGlobe) writeGeoScene(scene, stageOf(scene), destination.folder);
 }
 
 void writeClassicVrml(const scene::Scene& scene, const Destination& destination) {

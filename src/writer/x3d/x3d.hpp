@@ -6,7 +6,7 @@
 namespace cloudgen::writer {
 
 /// Writes scene.x3d (X3D 4.0, XML encoding) and textures/. Only nodes that X_ITE, X3DOM and view3dscene all
-/// draw.
+/// draw. On request also scene.geo.x3d, which has it on the globe.
 void writeX3d(const scene::Scene& scene, const Destination& destination);
 
 /// Writes scene.x3dv, the same nodes in the ClassicVRML encoding, and textures/.

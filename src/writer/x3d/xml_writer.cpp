@@ -10,6 +10,7 @@ std::string_view defaultField(std::string_view type) {
   if (type == "Appearance") return "appearance";
   if (type == "Material" || type == "UnlitMaterial") return "material";
   if (type == "ImageTexture") return "texture";
+  if (type == "GeoOrigin") return "geoOrigin";
   if (type == "Coordinate") return "coord";
   if (type == "TextureCoordinate") return "texCoord";
   if (type == "Color" || type == "ColorRGBA") return "color";
@@ -23,9 +24,10 @@ std::string_view defaultField(std::string_view type) {
 
 }  // namespace
 
-void XmlWriter::start(const HeadEntries& head) {
+void XmlWriter::start(const HeadEntries& head, std::string_view component) {
   text() +=
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<X3D profile=\"Immersive\" version=\"4.0\">\n<head>\n";
+  if (!component.empty()) text() += fmt::format("<component name=\"{}\" level=\"1\"/>\n", component);
   for (const auto& [name, content] : head) {
     text() += "<meta name=\"";
     text() += base::xmlEscaped(cleanText(name));

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Frames a second, first frame and memory over the number of billboards, both axes logarithmic.
+//   node tests/bench/web/plot.mjs LINES.jsonl FILE.svg: of the lines that bench.mjs printed
+import {readFileSync, writeFileSync} from 'node:fs';
+import {pathToFileURL} from 'node:url';
 
 const WIDTH = 1180, HEIGHT = 400, PANEL = 300, GAP = 80, TOP = 40, LEFT = 60;
 const COLORS = {'xite ours': '#1f5fbf', 'xite thesis': '#9db9e0', 'x3dom ours': '#c2571a', 'x3dom thesis': '#e6bfa3'};
@@ -31,7 +34,8 @@ function panel({key, title, low, high}, left, series, most) {
 }
 
 /** An SVG of the lines that bench.mjs prints; of a case that ran twice the last counts. */
-export function plot(lines) {
+export function plot(all) {
+  const lines = all.filter(({bench}) => bench === 'billboards');
   const cases = new Map();
   for (const line of lines) cases.set(`${line.viewer} ${line.kind} ${line.billboards}`, {...line, first_frame_s: line.first_frame_ms / 1000});
   const series = new Map();
@@ -48,4 +52,12 @@ export function plot(lines) {
 ${[...panels, ...legend].join('\n')}
 </svg>
 `;
+}
+
+export const linesOf = (file) => readFileSync(file, 'utf8').trim().split('\n').map((line) => JSON.parse(line));
+
+const [, program, lines, file] = process.argv;
+if (import.meta.url === pathToFileURL(program).href) {
+  if (!file) throw new Error('usage: node tests/bench/web/plot.mjs LINES.jsonl FILE.svg');
+  writeFileSync(file, plot(linesOf(lines)));
 }

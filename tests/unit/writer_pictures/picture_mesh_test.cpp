@@ -127,6 +127,20 @@ TEST(PictureMesh, ShowsItsPicture) {
   }
 }
 
+TEST(PictureMesh, TellsHowMuchOfItsPictureItMisses) {
+  const scene::Scene scene = test::smallScene();
+  const PuffPicture picture = nearPicturesOf(scene, 0, 64).pictures.front().picture;
+  const glm::vec2 sides = picture.upper - picture.lower;
+  for (const std::size_t most : {40u, 120u, 480u}) {
+    const PictureMesh mesh = meshOf(picture, most);
+    // A mean square is no less than that of the mean.
+    const double root = differenceOf(picture, mesh) / 255, area = static_cast<double>(sides.x) * sides.y;
+    EXPECT_LT(mesh.missMeters * 2 * (sides.x + sides.y), 1.1 * root * area) << most;
+    EXPECT_GT(mesh.missMeters * 2 * (sides.x + sides.y), 0.2 * root * area) << most;
+    EXPECT_GT(meshOf(picture, most / 2).missMeters, mesh.missMeters) << most;
+  }
+}
+
 TEST(PictureMesh, HasNoMoreTrianglesThanWantedAndNoneTurnedAway) {
   const scene::Scene scene = test::smallScene();
   const CloudPictures cloud = picturesOf(scene, 0, 64);

@@ -48,8 +48,10 @@ class X3d : public testing::Test {
   }
   /// The scene and the files of its tiles, by name.
   std::map<std::string, std::string> writtenFiles(void (*write)(const scene::Scene&, const Destination&),
-                                                  const scene::Scene& scene) {
-    write(scene, {out(), {}});
+                                                  const scene::Scene& scene, bool onGlobe = false) {
+    Destination destination{out(), {}};
+    destination.x3d.onGlobe = onGlobe;
+    write(scene, destination);
     std::map<std::string, std::string> files;
     for (const auto& entry : fs::directory_iterator(out()))
       if (entry.is_regular_file()) files[entry.path().filename().string()] = base::readFile(entry.path());
@@ -131,10 +133,30 @@ TEST_F(X3d, IsValidByTheOfficialSchema) {
   if (std::system("xmllint --version 2>/dev/null") != 0) GTEST_SKIP() << "xmllint is not installed";
   for (const scene::Scene& scene : {test::smallScene(), manyClouds()}) {
     std::string command = "xmllint --nonet --noout --schema '" + schema.string() + "'";
-    for (const auto& [file, text] : writtenFiles(writeX3d, scene))
+    for (const auto& [file, text] : writtenFiles(writeX3d, scene, true))
       command += " '" + (out() / file).string() + "'";
     EXPECT_EQ(std::system((command + " 2>&1").c_str()), 0);
   }
+}
+
+TEST_F(X3d, OnTheGlobeItsViewpointsAreThoseOfTheScene) {
+  const scene::Scene scene = test::smallScene();
+  const auto files = writtenFiles(writeX3d, scene, true);
+  const std::string &plane = files.at("scene.x3d"), &globe = files.at("scene.geo.x3d");
+  const auto wanted = attributes(plane, "Viewpoint", "position"), found = attributes(globe, "GeoViewpoint", "position");
+  ASSERT_EQ(found.size(), wanted.size());
+  ASSERT_GE(found.size(), 4u);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const auto metres = numbersIn(wanted[i]), degrees = numbersIn(found[i]);
+    const glm::dvec3 place = scene.frame.toScene(degrees[1], degrees[0], degrees[2]);
+    for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(place[axis], metres[static_cast<std::size_t>(axis)], 0.2) << i;
+  }
+  // What lies in the middle of the frame lies at the tangent point.
+  const auto tangent = numbersIn(attributes(globe, "GeoLocation", "geoCoords").front()),
+             shift = numbersIn(attributes(globe, "Transform", "translation").front());
+  const glm::dvec3 middle = scene.frame.toScene(tangent[1], tangent[0], 0);
+  EXPECT_NEAR(middle.x, -shift[0], 0.1);
+  EXPECT_NEAR(middle.z, -shift[2], 0.1);
 }
 
 TEST_F(X3d, EveryUseHasAnEarlierDefAndEveryDefIsUnique) {

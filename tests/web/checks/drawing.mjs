@@ -15,7 +15,8 @@ export async function until(test, seconds, what) {
   }
 }
 
-async function picture(address, picturePath, {settleMilliseconds, remove}) {
+/** What a page draws once it is ready, and, if nodes of some types are to be removed, then. */
+export async function picture(address, picturePath, {settleMilliseconds, remove}) {
   return withPage(SIZE, async (page) => {
     await page.goto(address, {waitUntil: 'domcontentloaded', timeout: SECONDS * 1000});
     await until(() => page.evaluate(() => window.state?.ready || window.state?.error), SECONDS, 'the viewer is not ready');

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nobody shall see where X_ITE goes from one level of a cloud to the next: the widest cloud of a scene, alone before black and before
+// Nobody shall see where X_ITE goes from one level of a cloud to the next: the cloud of a scene whose levels reach furthest, alone before black and before
 // white, from just within and just beyond each of its LOD's ranges.
 import pngjs from 'pngjs';
 import {withPage} from '../lib/browser.mjs';
@@ -17,7 +17,7 @@ const TOWARDS_VIEWER = [0.77, 0.5, 0.4];
  * only luminance tells. */
 const MOST_OF_PICTURES = {cover: 0.02, luminance: 0.03}, MOST_INTO_FULL = {cover: 0.05, luminance: 0.08};
 
-/** Runs in the page: leaves the widest cloud in levels, and tells of it. X_ITE 15 counts ranges in metres of the scene, whatever the scale. */
+/** Runs in the page: leaves the cloud whose levels reach furthest, and tells of it. X_ITE 15 counts ranges in metres of the scene, whatever the scale. */
 function leaveWidest(wantsFull) {
   const scene = X3D.getBrowser(document.getElementById('canvas')).currentScene;
   const typeOf = (node) => node.getNodeTypeName();
@@ -32,8 +32,8 @@ function leaveWidest(wantsFull) {
       const type = typeOf(node);
       const lod = type === 'Transform' ? [...node.children].find((child) => typeOf(child) === 'LOD') : null;
       if (lod && kindsOf(lod).some((kind, i, kinds) => kind === (wantsFull ? 'full' : 'picture') && kinds[i + 1] === 'picture')) {
-        const width = lod.range[lod.range.length - 1] * node.scale.x;
-        if (!widest || width > widest.width) widest = {node, lod, width};
+        const reach = lod.range[lod.range.length - 1] * node.scale.x;
+        if (!widest || reach > widest.reach) widest = {node, lod, reach};
       }
       if (['Transform', 'Group', 'LOD', 'Switch'].includes(type)) visit(node.children);
     }
@@ -55,8 +55,17 @@ function leaveWidest(wantsFull) {
     background.skyColor = new X3D.MFColor(new X3D.SFColor(grey, grey, grey));
   };
   window.levelNow = () => lod.level_changed;
+  /** Of the coarsest picture, from side to side. */
+  const widthOf = (level) => {
+    const shapes = [];
+    const find = (nodes) => [...nodes].forEach((child) => (typeOf(child) === 'Shape' ? shapes.push(child) : find(child.children)));
+    find(level.children);
+    const across = (axis) => shapes.flatMap((shape) => [...shape.geometry.coord.point].map((point) => point[axis]));
+    return Math.max(...['x', 'y', 'z'].map((axis) => Math.max(...across(axis)) - Math.min(...across(axis))));
+  };
+  const width = node.scale.x * widthOf([...lod.children].findLast(isPicture));
   const center = ['x', 'y', 'z'].map((axis) => node.translation[axis] + node.scale.x * lod.center[axis]);
-  return {name: lod.getNodeName(), center, ranges, kinds: kindsOf(lod), scale: node.scale.x};
+  return {name: lod.getNodeName(), center, ranges, width, kinds: kindsOf(lod)};
 }
 
 /** Mean opacity, and luminance where there is some, of a picture before black and before white. */
@@ -75,9 +84,8 @@ function meansOf(blackPng, whitePng) {
 
 async function seenFrom(page, cloud, distance, picturePath) {
   const eye = cloud.center.map((value, i) => value + distance * TOWARDS_VIEWER[i]);
-  // As wide as the picture, or all of it if one is in the cloud; the coarse picture begins at eight sizes.
-  const width = cloud.ranges.at(-1) / 8;
-  const fieldOfView = Math.min(Math.PI / 4, 2 * Math.atan((0.6 * width * cloud.scale) / distance));
+  // As wide as the picture, or all of it if one is in the cloud.
+  const fieldOfView = Math.min(Math.PI / 4, 2 * Math.atan((0.6 * cloud.width) / distance));
   const shots = [];
   for (const grey of [0, 1]) {
     await page.evaluate((view) => window.seeFrom(...view), [eye, rotationAlong(TOWARDS_VIEWER.map((value) => -value)), fieldOfView, grey]);
