@@ -52,7 +52,7 @@ std::vector<shape::Puff> amongNeighbours(const ArchetypeShape& shape, const shap
 
 light::CloudDepths depthsOf(const ArchetypeShape& shape, const shape::Recipe& recipe) {
   const auto& puffs = shape.cloud.puffs;
-  const int cells = std::clamp(static_cast<int>(5.0 * std::cbrt(static_cast<double>(puffs.size()))), 12, 90);
+  const int cells = light::cellsAlongLongestFor(puffs.size());
   return light::depthsIn(puffs, light::ExtinctionGrid(amongNeighbours(shape, recipe), cells));
 }
 
