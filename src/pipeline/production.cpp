@@ -59,9 +59,8 @@ light::CloudDepths depthsOf(const ArchetypeShape& shape, const shape::Recipe& re
 scene::LitArchetype lightArchetype(std::uint32_t index, int yawStep, const scene::Archetype& archetype,
                                    const light::CloudTransfer& transfer, const Origin& origin) {
   const glm::quat turnBack = glm::angleAxis(-scene::yawRadians(yawStep), glm::vec3(0, 1, 0));
-  const light::Lighting lighting{
-      turnBack * origin.sun.direction,
-      light::sunColorAt(origin.sun.elevationDegrees, light::lightHeightOf(archetype.genus)), origin.sky};
+  const light::KeyLight key = light::keyLight(origin.sun, origin.moon, light::lightHeightOf(archetype.genus));
+  const light::Lighting lighting{turnBack * key.direction, key.color, origin.sky};
   scene::LitArchetype lit;
   lit.archetype = index;
   lit.yawStep = yawStep;

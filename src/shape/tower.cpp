@@ -163,7 +163,7 @@ double extinctionAreaOf(std::span<const Puff> puffs) {
 /// However many puffs tell the tower and its anvil, this share of all is in the anvil, or its brightness would change
 /// with them.
 void shareWithAnvil(std::span<Puff> tower, std::span<Puff> anvil) {
-  constexpr double kAnvilShare = 0.32;
+  constexpr double kAnvilShare = 0.15;
   const double factor =
       kAnvilShare / (1 - kAnvilShare) * extinctionAreaOf(tower) / std::max(extinctionAreaOf(anvil), 1e-30);
   for (Puff& puff : anvil) puff.extinctionPerMeter *= static_cast<float>(factor);
