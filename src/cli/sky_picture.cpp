@@ -69,7 +69,7 @@ WrittenSky readSplatSky(const std::filesystem::path& path) {
   const check::SplatFile file = check::readSplats(path);
   WrittenSky sky;
   sky.surroundings.sun = light::sunFrom(file.sunAzimuthDegrees, file.sunElevationDegrees);
-  sky.surroundings.sky = light::skyUnder(sky.surroundings.sun);
+  sky.surroundings.sky = light::skyUnder(sky.surroundings.sun, file.moonlight);
   sky.surroundings.terrain = file.terrain;
   const glm::vec3& sun = sky.surroundings.sun.direction;
   for (const check::ReadSplat& read : file.splats) {

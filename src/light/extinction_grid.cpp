@@ -7,6 +7,10 @@
 
 namespace cloudgen::light {
 
+int cellsAlongLongestFor(std::size_t puffs) {
+  return std::clamp(static_cast<int>(5.0 * std::cbrt(static_cast<double>(puffs))), 12, 90);
+}
+
 ExtinctionGrid::ExtinctionGrid(std::span<const shape::Puff> puffs, int cellsAlongLongest) {
   const shape::Bounds bounds = shape::boundsOf(puffs, 2.0f);
   const glm::vec3 size = bounds.upper - bounds.lower;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <glm/vec3.hpp>
 #include <span>
 #include <vector>
@@ -8,6 +9,9 @@
 #include "shape/puff.hpp"
 
 namespace cloudgen::light {
+
+/// Cells along the longest side of the box that so many puffs can fill with detail, 12 to 90.
+int cellsAlongLongestFor(std::size_t puffs);
 
 /// The extinction of a set of puffs on a regular voxel grid, for optical depths between them.
 class ExtinctionGrid {

@@ -8,7 +8,7 @@
 namespace cloudgen::light {
 namespace {
 
-constexpr float kMost = 0.9f;
+constexpr float kMost = 0.75f;
 
 float flattening(const shape::Puff& puff) { return puff.sigma.y / std::max(puff.sigma.x, puff.sigma.z); }
 float flatness(float flattening) { return 1 - glm::smoothstep(0.2f, 0.32f, flattening); }

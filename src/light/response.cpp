@@ -36,7 +36,7 @@ CloudResponse responseOf(std::span<const shape::Puff> puffs, const CloudTransfer
   response.sunHeightMeters = sunHeightMeters;
   for (std::size_t i = 0; i < puffs.size(); ++i) {
     const PuffTransfer& transfer = cloud.puffs[i];
-    const float below = thick * glm::smoothstep(0.0f, 0.7f, -transfer.upward);
+    const float below = undersideOf(cloud, transfer);
     PuffResponse puff{transfer.sun, transfer.through};
     for (float& coefficient : puff.sun) coefficient *= sun * shading / glm::mix(bright, kFace / kBelow, below);
     puff.sun[0] += sun * glm::mix(kFlatSun, kFlatBelow, below) * (1 - shading) / kConstantHarmonic;

@@ -38,7 +38,6 @@ std::vector<PuffLight> shadePuffs(std::span<const shape::Puff> puffs, const Clou
   const float face = luminance(kSun * lighting.sunColor + skyShare * lighting.sky.ambient) + 1e-6f;
   const float exposure = std::min(kWhite / face, kMostExposure);
   const float lift = std::pow(std::max(lighting.sunDirection.y, kLowest), -kLift);
-  const float thick = std::max(0.0f, 1 - cloud.once.towards);
   const float bright = std::max(cloud.bright, kFace / kBrighter);
   const Harmonics harmonics = harmonicsOf(lighting.sunDirection);
 
@@ -47,7 +46,7 @@ std::vector<PuffLight> shadePuffs(std::span<const shape::Puff> puffs, const Clou
   float areas = 0;
   for (std::size_t i = 0; i < puffs.size(); ++i) {
     const PuffTransfer& transfer = cloud.puffs[i];
-    const float below = thick * glm::smoothstep(0.0f, 0.7f, -transfer.upward);
+    const float below = undersideOf(cloud, transfer);
     const float sun =
         std::clamp(dot(transfer.sun, harmonics) / glm::mix(bright, kFace / kBelow, below), 0.0f, kMostSun);
     const float level = levelOf(cloud, transfer);

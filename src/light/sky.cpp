@@ -22,7 +22,7 @@ double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
 /// Low clouds see the sun from above the thickest air, and a little beyond the horizon.
 constexpr double kCloudMeters = 1000;
 
-/// What is left at night, display-linear: a sky under a quarter moon, as an eye that has got used to it.
+/// What is left at night, display-linear: a sky under a half moon, as an eye that has got used to it.
 const glm::vec3 kNight(0.010f, 0.013f, 0.022f);
 
 float luminance(const glm::vec3& color) { return glm::dot(color, glm::vec3(0.2126f, 0.7152f, 0.0722f)); }
@@ -65,11 +65,14 @@ Sun sunAt(base::UtcTime time, double longitudeDegrees, double latitudeDegrees) {
   return sunFrom(std::fmod(horizontal.az + 180.0, 360.0), horizontal.alt);
 }
 
-Sky skyUnder(const Sun& sun) {
+Sky skyUnder(const Sun& sun, float moonlight) {
   const double elevation = sun.elevationDegrees;
   const float low = static_cast<float>(std::clamp(1.0 - elevation / 25.0, 0.0, 1.0));
   // How bright the sky is shown: an eye gets used to dusk, down to the end of civil twilight.
   const float day = static_cast<float>(std::clamp((elevation + 8.0) / 18.0, 0.0, 1.0));
+  // By day nobody sees how much moon there is.
+  const float dark = static_cast<float>(std::clamp(-elevation / 8.0, 0.0, 1.0));
+  const glm::vec3 night = glm::mix(1.0f, moonlight, dark) * kNight;
   const glm::vec3 high = skyRing(65, elevation), edge = skyRing(5, elevation);
   const float scale = 0.68f * day / std::max(luminance(edge), 1e-9f);
   // Light of higher orders: it whitens the long ways at the horizon, and blue once more the air above.
@@ -79,13 +82,14 @@ Sky skyUnder(const Sun& sun) {
   const glm::vec3 blue = luminance(high) * glm::vec3(0.42f, 0.96f, 2.5f);
   const auto shown = [](const glm::vec3& color) { return glm::clamp(color, 0.0f, 1.0f); };
   Sky sky;
-  sky.zenith = shown(1.4f * scale * glm::mix(high, blue, 0.5f) + 0.5f * kNight);
-  sky.horizon = shown(scale * evened(edge, 0.15f) + kNight);
+  sky.moonlight = moonlight;
+  sky.zenith = shown(1.4f * scale * glm::mix(high, blue, 0.5f) + 0.5f * night);
+  sky.horizon = shown(scale * evened(edge, 0.15f) + night);
   sky.ground =
-      day * glm::mix(glm::vec3(0.13f, 0.17f, 0.09f), glm::vec3(0.09f, 0.09f, 0.06f), low) + 0.15f * kNight;
+      day * glm::mix(glm::vec3(0.13f, 0.17f, 0.09f), glm::vec3(0.09f, 0.09f, 0.06f), low) + 0.15f * night;
   // Under a low sun it is the blue from high above that fills the shades; the glow is narrow.
   sky.ambient = shown(evened(glm::mix(sky.horizon, sky.zenith, 0.55f + 0.3f * low), 0.35f - 0.2f * low)) +
-                0.5f * kNight;
+                0.5f * night;
   sky.bounce =
       sky.ground * glm::vec3(0.85f) * static_cast<float>(std::max(0.15, std::sin(radians(elevation)))) +
       0.12f * sky.ambient;

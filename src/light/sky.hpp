@@ -19,6 +19,7 @@ struct Sky {
   glm::vec3 zenith{0}, horizon{0}, ground{0};
   glm::vec3 ambient{0};  ///< mean sky light on a cloud from above
   glm::vec3 bounce{0};   ///< light from the ground on a cloud from below
+  float moonlight = 1;   ///< as skyUnder was told
 };
 
 /// Colour of the sun at a height above the ground: the higher, the later it sets.
@@ -31,8 +32,8 @@ Sun sunAt(base::UtcTime time, double longitudeDegrees, double latitudeDegrees);
 Sun sunFrom(double azimuthDegrees, double elevationDegrees);
 
 /// The clear sky that goes with a sun, by single scattering in its colours and contrast
-/// (light/atmosphere.hpp): blue by day, red at the horizon when the sun is low, and after dusk a stated least
-/// light as of a moon. Its brightness is that of an eye that gets used to dusk.
-Sky skyUnder(const Sun& sun);
+/// (light/atmosphere.hpp): blue by day, red at the horizon when the sun is low, and after dusk as bright as the moon
+/// makes it (moonlightUnder; 1 is a half moon at the zenith). Its brightness is that of an eye that gets used to dusk.
+Sky skyUnder(const Sun& sun, float moonlight = 1);
 
 }  // namespace cloudgen::light

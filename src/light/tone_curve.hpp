@@ -13,7 +13,7 @@ inline constexpr float kSkyAtNoon = 0.45f, kSkyWithoutSun = 0.16f;
 
 /// What a thick cloud's bright faces answer. Those of thinner ones are shown brighter, as the sky behind them
 /// is, but by no more than this; what comes out below is not.
-inline constexpr float kFace = 0.8f, kBrighter = 2.1f;
+inline constexpr float kFace = 0.8f, kBrighter = 1.9f;
 /// Level tops take a slanting sun by the sine of its height; they reflect more of it then than of a high one,
 /// and an eye that looks down on a deck gets used to the rest, down to this sine.
 inline constexpr float kLift = 0.9f, kLowest = 0.3f;

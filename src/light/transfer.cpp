@@ -61,16 +61,18 @@ class Medium {
   float share_, cell_, rise_ = 1;
 };
 
-/// Standard deviation of a puff along a direction of the cloud.
-float reachAlong(const shape::Puff& puff, const glm::vec3& direction) {
-  return glm::length(puff.sigma * (glm::conjugate(puff.rotation) * direction));
+/// Standard deviation along a ray through the middle of a puff, as wide as the cells hold it: that of a flat one is
+/// short on slanting rays, too, which leave it for its neighbours.
+float reachAlong(const shape::Puff& puff, const glm::vec3& direction, float cellMeters) {
+  const glm::vec3 held = glm::max(puff.sigma, glm::vec3(0.42f * cellMeters));
+  return 1 / glm::length((glm::conjugate(puff.rotation) * direction) / held);
 }
 
 PuffDepths depthsTowards(Medium& medium, std::span<const shape::Puff> puffs, const glm::vec3& direction) {
   medium.sweepTowards(direction);
   PuffDepths depths;
   for (const shape::Puff& puff : puffs) {
-    const float reach = std::max(kSkin * reachAlong(puff, direction), 0.5f * medium.cellMeters());
+    const float reach = kSkin * reachAlong(puff, direction, medium.cellMeters());
     depths.skin.push_back(medium.depthFrom(puff.center + reach * direction));
     depths.middle.push_back(medium.depthFrom(puff.center));
   }
@@ -202,8 +204,8 @@ struct Beam {
   float through() const { return 1.0f / (1.0f / before + 1.0f / behind - 1.0f); }
 };
 
-/// How a cloud as a whole holds the light that comes along one direction, mean of its puffs as far as they
-/// are seen: they light each other, so that the wisps of a thick cloud are as white as it is.
+/// How a cloud as a whole holds the light that comes along one direction, mean of its puffs by their extinction: they
+/// light each other, so that the wisps of a thick cloud and the thin end of an anvil are as white as it is.
 class Thickness {
  public:
   explicit Thickness(float reduction) : reduction_(reduction) {}
@@ -236,13 +238,13 @@ std::vector<std::vector<Beam>> beamsThrough(const std::vector<Place>& places) {
 }
 
 /// Along the shortest way through the cloud.
-Thickness thinnest(std::span<const shape::Puff> puffs, std::span<const PuffTransfer> transfers,
-                   const std::vector<std::vector<Beam>>& beams, float reduction) {
+Thickness thinnest(std::span<const shape::Puff> puffs, const std::vector<std::vector<Beam>>& beams, float reduction) {
   std::vector<Thickness> along;
   for (const auto& ofDirection : beams) {
     along.emplace_back(reduction);
     for (std::size_t p = 0; p < puffs.size(); ++p)
-      along.back().add(ofDirection[p], seenArea(puffs[p], transfers[p]));
+      if (!puffs[p].rain)
+        along.back().add(ofDirection[p], static_cast<float>(shape::extinctionArea(puffs[p])));
   }
   return *std::min_element(along.begin(), along.end(),
                            [](const auto& a, const auto& b) { return a.diffused() < b.diffused(); });
@@ -269,8 +271,18 @@ ScatteredOnce onceOf(const Thickness& cloud, float asymmetry) {
   return {glm::mix(thin.even, 1.0f, cloud.diffused()), glm::mix(thin.towards, 0.0f, cloud.diffused())};
 }
 
-/// The answer that an eleventh of the seen area exceeds, under the best of 12 suns.
-float brightAnswer(std::span<const shape::Puff> puffs, std::span<const PuffTransfer> transfers) {
+/// 1 for a cloud that has a top and an underside to tell apart, 0 for one so thin that light goes on through it.
+float facesOf(const ScatteredOnce& once) {
+  constexpr float kHasFaces = 0.4f;  ///< of the light that is not sent on: sheets of an optical depth of 5 have it
+  return std::clamp((1 - once.towards) / kHasFaces, 0.0f, 1.0f);
+}
+
+float lookingDown(const PuffTransfer& transfer) { return glm::smoothstep(0.0f, 0.7f, -transfer.upward); }
+
+/// The answer that an eleventh of the seen area exceeds, under the best of 12 suns. Undersides, which may let more
+/// through than tops send back, are exposed by themselves.
+float brightAnswer(std::span<const shape::Puff> puffs, std::span<const PuffTransfer> transfers,
+                   const ScatteredOnce& once) {
   float brightest = 1e-3f;
   std::vector<std::pair<float, float>> answers(puffs.size());
   for (const glm::vec3& direction : opposedDirections(2)) {
@@ -278,7 +290,8 @@ float brightAnswer(std::span<const shape::Puff> puffs, std::span<const PuffTrans
     const Harmonics harmonics = harmonicsOf(direction);
     double left = 0;
     for (std::size_t i = 0; i < puffs.size(); ++i) {
-      answers[i] = {dot(transfers[i].sun, harmonics), seenArea(puffs[i], transfers[i])};
+      answers[i] = {dot(transfers[i].sun, harmonics),
+                    (1 - facesOf(once) * lookingDown(transfers[i])) * seenArea(puffs[i], transfers[i])};
       left += 0.09 * answers[i].second;
     }
     std::sort(answers.begin(), answers.end(), std::greater<>());
@@ -294,13 +307,19 @@ float brightAnswer(std::span<const shape::Puff> puffs, std::span<const PuffTrans
 }  // namespace
 
 float levelOf(const CloudTransfer& cloud, const PuffTransfer& transfer) {
-  constexpr float kHasFaces = 0.4f;  ///< of the light that is not sent on: sheets of an optical depth of 5 have it
-  return std::clamp((1 - cloud.once.towards) / kHasFaces, 0.0f, 1.0f) *
-         glm::smoothstep(kLevelFrom, 1.0f, transfer.upward);
+  return facesOf(cloud.once) * glm::smoothstep(kLevelFrom, 1.0f, transfer.upward);
+}
+
+float undersideOf(const CloudTransfer& cloud, const PuffTransfer& transfer) {
+  return std::max(0.0f, 1 - cloud.once.towards) * lookingDown(transfer);
 }
 
 float seenArea(const shape::Puff& puff, const PuffTransfer& transfer) {
-  return puff.sigma.x * puff.sigma.z * transfer.visibility;
+  return puff.rain ? 0 : shownArea(puff, transfer);
+}
+
+float shownArea(const shape::Puff& puff, const PuffTransfer& transfer) {
+  return puff.sigma.x * puff.sigma.z * -std::expm1(-shape::frontalOpticalDepth(puff)) * transfer.visibility;
 }
 
 CloudDepths depthsIn(std::span<const shape::Puff> puffs, const ExtinctionGrid& grid) {
@@ -323,7 +342,7 @@ CloudTransfer bakeTransfer(std::span<const shape::Puff> puffs, const CloudDepths
   std::vector<PuffTransfer> transfers(puffs.size());
   const std::vector<Place> places = placesOf(puffs, depths, denser, 1.0f - asymmetry, transfers);
   const std::vector<std::vector<Beam>> beams = beamsThrough(places);
-  const Thickness cloud = thinnest(puffs, transfers, beams, 1.0f - asymmetry);
+  const Thickness cloud = thinnest(puffs, beams, 1.0f - asymmetry);
   std::vector<float> sun(count), through(count);
   for (std::size_t p = 0; p < puffs.size(); ++p) {
     PuffTransfer& transfer = transfers[p];
@@ -350,8 +369,9 @@ CloudTransfer bakeTransfer(std::span<const shape::Puff> puffs, const CloudDepths
     undersides.even(transfers, [k](PuffTransfer& transfer) -> float& { return transfer.sun[k]; });
   undersides.even(transfers, [](PuffTransfer& transfer) -> float& { return transfer.sky; });
   undersides.even(transfers, [](PuffTransfer& transfer) -> float& { return transfer.ground; });
-  const float bright = brightAnswer(puffs, transfers);
-  return {std::move(transfers), bright, onceOf(cloud, asymmetry)};
+  const ScatteredOnce once = onceOf(cloud, asymmetry);
+  const float bright = brightAnswer(puffs, transfers, once);
+  return {std::move(transfers), bright, once};
 }
 
 std::vector<SunAnswer> bakeSun(std::span<const shape::Puff> puffs, const ExtinctionGrid& grid,
@@ -363,7 +383,7 @@ std::vector<SunAnswer> bakeSun(std::span<const shape::Puff> puffs, const Extinct
                            back = lattice().sideTowards(-sunDirection);
   Medium medium(puffs, grid);
   const PuffDepths depths = depthsTowards(medium, puffs, sunDirection);
-  const Thickness cloud = thinnest(puffs, transfers, beamsThrough(places), reduction);
+  const Thickness cloud = thinnest(puffs, beamsThrough(places), reduction);
   std::vector<SunAnswer> answers;
   for (std::size_t p = 0; p < puffs.size(); ++p) {
     const float skin = hiding(depths.skin[p]);

@@ -59,7 +59,12 @@ CloudTransfer bakeTransfer(std::span<const shape::Puff> puffs, const CloudDepths
 /// The same inside the medium of `grid`.
 CloudTransfer bakeTransfer(std::span<const shape::Puff> puffs, const ExtinctionGrid& grid, float asymmetry);
 
-/// What weighs in the tone of a cloud: area, as far as it is seen.
+/// 1 for a puff that looks down from a thick cloud, 0 for one that looks up or is of a thin one.
+float undersideOf(const CloudTransfer& cloud, const PuffTransfer& transfer);
+
+/// Area of a puff, as far as it hides what is behind it and is seen.
+float shownArea(const shape::Puff& puff, const PuffTransfer& transfer);
+/// What of it weighs in the tone of its cloud: rain has a tone of its own.
 float seenArea(const shape::Puff& puff, const PuffTransfer& transfer);
 
 /// 1 for a puff that is a level top of a cloud, 0 for one that faces another way or is of a cloud so thin that it has

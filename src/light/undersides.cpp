@@ -32,8 +32,10 @@ Undersides::Undersides(std::span<const shape::Puff> puffs, std::span<const PuffT
       const shape::Puff& puff = puffs[other.puff];
       const glm::vec3 away = (puff.center - own.center) / reach;
       const float squared = glm::dot(away, away);
-      if (squared < kFurthest * kFurthest)
-        shares_.push_back({other.puff, other.weight * seenArea(puff, transfers[other.puff]) * std::exp(-squared)});
+      // The underside that rain falls from is no darker for it.
+      if (squared < kFurthest * kFurthest && (own.rain || !puff.rain))
+        shares_.push_back(
+            {other.puff, other.weight * shownArea(puff, transfers[other.puff]) * std::exp(-squared)});
       return std::abs(away.x) < kFurthest;
     };
     take(down_[i]);

@@ -271,13 +271,15 @@ MovingSky runTimes(const std::vector<base::UtcTime>& times, const OpenTime& open
   std::optional<MovingSky> sky;
   std::optional<Join> join;
   light::Sun firstSun;
+  light::Moon firstMoon;
+  light::Sky firstSky;
   for (std::size_t k = 0; k < times.size(); ++k) {
     const auto source = open(times[k]);
     const auto typing = openTyping ? openTyping(times[k]) : nullptr;
     // What is lit once and for all is lit alike at all times: clouds of two times stand side by side.
-    if (k == 0) firstSun = located[k].origin.sun;
-    located[k].origin.sun = firstSun;
-    located[k].origin.sky = light::skyUnder(firstSun);
+    Origin& origin = located[k].origin;
+    if (k == 0) firstSun = origin.sun, firstMoon = origin.moon, firstSky = origin.sky;
+    origin.sun = firstSun, origin.moon = firstMoon, origin.sky = firstSky;
     Outcome outcome = finish(std::move(located[k]), *source, general, withTyping(options, typing.get()), progress);
     if (k == 0) {
       join.emplace(outcome.scene);

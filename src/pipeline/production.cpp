@@ -52,16 +52,15 @@ std::vector<shape::Puff> amongNeighbours(const ArchetypeShape& shape, const shap
 
 light::CloudDepths depthsOf(const ArchetypeShape& shape, const shape::Recipe& recipe) {
   const auto& puffs = shape.cloud.puffs;
-  const int cells = std::clamp(static_cast<int>(5.0 * std::cbrt(static_cast<double>(puffs.size()))), 12, 90);
+  const int cells = light::cellsAlongLongestFor(puffs.size());
   return light::depthsIn(puffs, light::ExtinctionGrid(amongNeighbours(shape, recipe), cells));
 }
 
 scene::LitArchetype lightArchetype(std::uint32_t index, int yawStep, const scene::Archetype& archetype,
                                    const light::CloudTransfer& transfer, const Origin& origin) {
   const glm::quat turnBack = glm::angleAxis(-scene::yawRadians(yawStep), glm::vec3(0, 1, 0));
-  const light::Lighting lighting{
-      turnBack * origin.sun.direction,
-      light::sunColorAt(origin.sun.elevationDegrees, light::lightHeightOf(archetype.genus)), origin.sky};
+  const light::KeyLight key = light::keyLight(origin.sun, origin.moon, light::lightHeightOf(archetype.genus));
+  const light::Lighting lighting{turnBack * key.direction, key.color, origin.sky};
   scene::LitArchetype lit;
   lit.archetype = index;
   lit.yawStep = yawStep;

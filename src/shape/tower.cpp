@@ -22,9 +22,9 @@ double columnRadius(double share) {
 /// Rising bubbles wound about a filled core, and the dome that shoots over the anvil.
 void addColumn(std::vector<Lobe>& lobes, const Recipe& recipe, const ShapeRequest& request, int rings,
                int turrets, base::RandomStream& stream) {
-  constexpr double kTop = 0.71, kPuffsOfOne = 1500;
+  constexpr double kTop = 0.71, kPuffsOfOne = 690;
   // Told by few puffs it stands for several towers.
-  const double broad = std::clamp(std::pow(kPuffsOfOne / request.puffs, 0.22), 1.0, 1.8);
+  const double broad = 1.09 * std::clamp(std::pow(kPuffsOfOne / request.puffs, 0.28), 1.0, 1.65);
   const double width = request.widthMeters, depth = request.depthMeters;
   const auto axis = [&](double y) { return kTrunk * width + 0.35 * request.tilt * y; };
   for (int ring = 0; ring < rings; ++ring) {
@@ -101,7 +101,7 @@ void addAnvil(std::vector<Puff>& puffs, const ShapeRequest& request, int count, 
   const double start = (kTrunk - kUpwindReach) * width + 0.3 * request.tilt * depth;
   const double spacing = std::sqrt(0.6 * kAnvilLength / count) * width;
   constexpr double kThinning = 3.0;
-  const double widest = (0.02 + 0.02 * std::min(1.0, count / 300.0)) * width;
+  const double widest = 0.05 * width;
   const std::uint64_t noiseSeed = request.seed * 43 + request.variant;
   for (int i = 0; i < count; ++i) {
     // Fewer and larger puffs where it is thin: the faintest could not be drawn.
@@ -154,6 +154,21 @@ void addFallstreaks(std::vector<Puff>& puffs, const ShapeRequest& request, int c
   }
 }
 
+double extinctionAreaOf(std::span<const Puff> puffs) {
+  double sum = 0;
+  for (const Puff& puff : puffs) sum += extinctionArea(puff);
+  return sum;
+}
+
+/// However many puffs tell the tower and its anvil, this share of all is in the anvil, or its brightness would change
+/// with them.
+void shareWithAnvil(std::span<Puff> tower, std::span<Puff> anvil) {
+  constexpr double kAnvilShare = 0.15;
+  const double factor =
+      kAnvilShare / (1 - kAnvilShare) * extinctionAreaOf(tower) / std::max(extinctionAreaOf(anvil), 1e-30);
+  for (Puff& puff : anvil) puff.extinctionPerMeter *= static_cast<float>(factor);
+}
+
 }  // namespace
 
 RawShape shapeTower(const Recipe& recipe, const ShapeRequest& request) {
@@ -173,8 +188,10 @@ RawShape shapeTower(const Recipe& recipe, const ShapeRequest& request) {
   fillLobes(shape.puffs, lobes, recipe, static_cast<int>(0.68 * request.puffs), 0, fills);
   for (Puff& puff : shape.puffs)
     puff.extinctionPerMeter *= 0.8f + 0.4f * static_cast<float>(puff.center.y / depth);
+  const std::size_t towerPuffs = shape.puffs.size();
   addAnvil(shape.puffs, request, std::max(20, static_cast<int>(0.24 * request.puffs)), fills);
   addFallstreaks(shape.puffs, request, static_cast<int>(0.04 * request.puffs), fills);
+  shareWithAnvil(std::span(shape.puffs).first(towerPuffs), std::span(shape.puffs).subspan(towerPuffs));
   addPrecipitation(shape.precipitation, recipe, {(kTrunk + 0.02) * width, 0, 0}, 0.1 * width, 0.11 * depth,
                    std::max(6, static_cast<int>(0.04 * request.puffs)), fills);
   for (Puff& puff : shape.precipitation) puff.section = 10;

@@ -37,15 +37,16 @@ RawShape shapeVeil(const Recipe& recipe, const ShapeRequest& request) {
       const double y = recipe.genus == base::Genus::Fog ? depth * low * low : depth * (0.04 + 0.92 * low);
       p.y = std::clamp(y + 0.1 * depth * swell, 0.03 * depth, 0.97 * depth);
       const double thinnest = std::min(p.y, depth - p.y);
-      // Flat however many there are, or they would be lit as a heap's (light::layerShare).
-      const double sigmaY = std::clamp(0.33 * thinnest, 0.012 * depth,
-                                       std::min(0.11 * depth, std::max(1.0, size * recipe.flattening)));
+      const double thick = std::clamp(0.33 * thinnest, 0.012 * depth, 0.11 * depth);
+      // Flat however many there are, or they would be lit as a heap's (light::layerShare); narrow ones then hold as
+      // much as if they were as thick, so that the layer is as dense at every height.
+      const double sigmaY = std::min(thick, std::max({1.0, 0.012 * depth, size * recipe.flattening}));
       puff.center = p;
       puff.sigma = glm::vec3(size * stretch, sigmaY, size / std::sqrt(stretch));
       const double contrast = 0.35 + 1.1 * recipe.fibre + 0.5 * recipe.raggedness;
       puff.extinctionPerMeter =
           static_cast<float>(window * std::clamp(1.0 + contrast * 1.8 * grain, 0.12, 2.4) *
-                             (recipe.genus == base::Genus::Fog ? 1.25 - low : 1.0));
+                             (recipe.genus == base::Genus::Fog ? 1.25 - low : 1.0) * thick / sigmaY);
       const int blockX = std::clamp(static_cast<int>((p.x / span + 0.5) * blocks), 0, blocks - 1);
       const int blockZ = std::clamp(static_cast<int>((p.z / span + 0.5) * blocks), 0, blocks - 1);
       puff.section = static_cast<std::uint16_t>(blockZ * blocks + blockX);

@@ -28,6 +28,7 @@ struct SplatFile {
   std::vector<ReadSplat> splats;
   base::HeightField terrain;                                 ///< from the asset's extras; empty if not there
   double sunAzimuthDegrees = 180, sunElevationDegrees = 45;  ///< from the asset's extras, if there
+  float moonlight = 1;                                       ///< the same: how bright nights are shown
 };
 
 /// Reads a .glb of KHR_gaussian_splatting primitives, with float attributes or packed as SPZ, in nodes that are

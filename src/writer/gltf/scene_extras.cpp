@@ -41,6 +41,7 @@ nlohmann::json sceneExtras(const scene::Scene& scene) {
                          {{"azimuth_degrees", scene.sun.azimuthDegrees},
                           {"elevation_degrees", scene.sun.elevationDegrees},
                           {"direction", arrayOf(scene.sun.direction)}}},
+                        {"moonlight", scene.sky.moonlight},
                         {"clouds", scene.instances.size()}};
   if (const Film film(scene); film.moves())
     extras["film"] = {{"description", film.description()},

@@ -44,6 +44,8 @@ TEST(Origin, ANightIsANightAndSaysSo) {
   const Origin origin = locateOrigin(night, night.grid(), {});
   ASSERT_EQ(origin.warnings.size(), 1u);
   EXPECT_NE(origin.warnings[0].find("--sun"), std::string::npos);
+  EXPECT_NE(origin.warnings[0].find("moon"), std::string::npos);
+  EXPECT_EQ(origin.sky.moonlight, light::moonlightUnder(origin.moon));
   EXPECT_LT(origin.sun.elevationDegrees, -15);
   EXPECT_EQ(origin.sun.color, glm::vec3(0));
   EXPECT_GT(origin.sky.ambient.b, 0);

@@ -163,6 +163,22 @@ TEST(PictureMesh, NoEdgeMeetsTheMiddleOfAnother) {
   }
 }
 
+// An edge with a triangle on one side alone is an end of what is drawn: it must not be seen as one.
+TEST(PictureMesh, EndsTransparent) {
+  const scene::Scene scene = test::smallScene();
+  for (std::uint32_t lit = 0; lit < scene.lit.size(); ++lit) {
+    const PictureMesh mesh = meshOf(nearPicturesOf(scene, lit, 64).pictures.front().picture, 400);
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
+    for (std::size_t t = 0; t < mesh.indices.size(); t += 3)
+      for (const auto& [a, b] : {std::pair{0, 1}, {1, 2}, {2, 0}})
+        ++sides[std::minmax(mesh.indices[t + static_cast<std::size_t>(a)], mesh.indices[t + static_cast<std::size_t>(b)])];
+    for (const auto& [ends, count] : sides)
+      if (count == 1) {
+        EXPECT_LT(std::max(mesh.colors[ends.first].w, mesh.colors[ends.second].w), 0.05) << lit;
+      }
+  }
+}
+
 TEST(PictureMesh, OfNothingIsEmpty) { EXPECT_TRUE(meshOf(PuffPicture{}, 100).indices.empty()); }
 
 }  // namespace

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "support/all_recipes.hpp"
 #include "support/small_scene.hpp"
+#include "support/usual_cloud.hpp"
 #include "writer/pictures/cloud_pictures.hpp"
 #include "writer/pictures/picture_atlas.hpp"
 
@@ -77,6 +79,27 @@ glm::dvec3 meanColor(const image::ByteImage& image) {
     alpha += image.bytes[i + 3] / 255.0;
   }
   return sum / alpha;
+}
+
+/// The most that a picture has along its border.
+double borderAlpha(const image::ByteImage& image) {
+  int most = 0;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      if (x == 0 || y == 0 || x == image.width - 1 || y == image.height - 1)
+        most = std::max<int>(most, image.bytes[static_cast<std::size_t>(4 * (y * image.width + x) + 3)]);
+  return most / 255.0;
+}
+
+// Or their quads would be seen.
+TEST(Pictures, OfEveryGenusEndTransparent) {
+  for (const base::Genus genus : base::allGenera()) {
+    std::vector<ColoredPuff> puffs;
+    const shape::Recipe recipe = test::recipeOf(genus);
+    for (const shape::Puff& puff : shape::generate(recipe, test::usualCloud(recipe, 300, 8)).puffs) puffs.push_back({puff});
+    for (const Sight& sight : {kFromSouth, Sight{{1, 0, 0}, {0, 0, -1}, {0, 1, 0}}})
+      EXPECT_LT(borderAlpha(paintedPuffs(puffs, sight, 64).image), 0.05) << base::name(genus) << ' ' << sight.towards.y;
+  }
 }
 
 TEST(Pictures, AreAsBrightAsThePuffsTheyStandFor) {
