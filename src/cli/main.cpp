@@ -32,7 +32,7 @@ void printVersion(bool asJson) {
   for (const auto& format : writer::formats()) version["formats"].push_back(format.name);
   for (const auto& [name, what] : writer::formatsNotBuilt()) version["formats_not_built"].push_back(name);
   version["commands_not_built"] = {"merge"};
-  version["options_not_built"] = {"--shape", "--shard", "--max-memory", "--frame geo", "--x3d-profile xite"};
+  version["options_not_built"] = {"--shard", "--max-memory", "--frame geo", "--x3d-profile xite"};
   cli::print(version.dump(2));
 }
 

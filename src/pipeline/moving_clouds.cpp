@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <numeric>
 
 #include "base/thread.hpp"
 
@@ -15,14 +16,17 @@ namespace {
 /// The least size of a cloud that comes or goes; what is left is not there.
 constexpr float kLeastGrowth = 0.02f;
 
-/// A cloud that forms (share from 0 to 1) in a layer of a fraction: cover and water grow evenly; nothing is there at
-/// first. Where clouds lie over one another by chance, areas of s times their own cover 1 - (1 - fraction)^s.
-scene::Moment formed(double share, double fraction) {
-  constexpr double kMostByChance = 0.8;  ///< sheets are more even
-  const double cover = std::clamp(fraction, 0.01, kMostByChance);
-  const double area = std::log1p(-cover * share) / std::log1p(-cover);
+/// A cloud that forms (share from 0 to 1) in a layer of a fraction where that of the clouds that dissolve meanwhile was
+/// another: cover and water go evenly; nothing is there at first. Clouds that lie over one another by chance cover
+/// 1 - exp(-a) with a times the ground in area, so that areas that went evenly would cover too much in between.
+scene::Moment formed(double share, double fraction, double other) {
+  constexpr double kMostByChance = 0.75;  ///< sheets are more even
+  const auto areaOf = [](double cover) { return -std::log1p(-cover); };
+  const double own = std::clamp(fraction, 0.01, kMostByChance), its = std::clamp(other, 0.0, kMostByChance);
+  const double evenly = share * areaOf(own) + (1 - share) * areaOf(its);
+  const double area = share * areaOf(share * own + (1 - share) * its) / std::max(evenly, 1e-9);
   return {glm::vec3(0), std::max(kLeastGrowth, static_cast<float>(std::sqrt(area))),
-          share > 0 ? static_cast<float>(share / area) : 0.0f};
+          area > 0 ? static_cast<float>(share / area) : 0.0f};
 }
 
 /// Two dense clouds of one size over one another, each half as dense, cover this much more than either: their edges
@@ -90,13 +94,15 @@ std::vector<scene::Moment> momentsOf(const Passage& passage, const CloudsOfTime&
   const auto& way = (comes ? passage.backwards : passage.forwards)[cloud];
   // Who crosses the border neither forms nor dissolves: all of it is there as long as it is within.
   const bool crosses = !fate.partner && leftBeyond(earlier, own, comes ? way.front() : way.back()) <= kLeastGrowth;
+  const double fraction = (comes ? later : earlier).fractions[cloud],
+               other = (comes ? passage.fractionsBefore : passage.fractionsAhead)[cloud];
   std::vector<scene::Moment> moments;
   for (int i = 0; i <= passage.intervals; ++i) {
     const auto at = static_cast<std::size_t>(i);
     const double share = static_cast<double>(i) / passage.intervals, away = comes ? 1 - share : share;
     glm::dvec2 place = way[at];
     double base = own.baseMeters;
-    scene::Moment moment = formed(crosses && away < 1 ? 1 : 1 - away, (comes ? later : earlier).fractions[cloud]);
+    scene::Moment moment = formed(crosses && away < 1 ? 1 : 1 - away, fraction, other);
     if (fate.partner) {
       const motion::CarriedCloud& partner = (comes ? earlier : later).clouds[*fate.partner];
       place = comes ? placeOfPair(passage.forwards[*fate.partner], way, at)
@@ -112,6 +118,30 @@ std::vector<scene::Moment> momentsOf(const Passage& passage, const CloudsOfTime&
     moments.push_back(moment);
   }
   return moments;
+}
+
+/// Of each cloud that the wind takes to `ends`: the greatest cover of the layers whose clouds it lies over there.
+std::vector<float> fractionsAt(const CloudsOfTime& time, const std::vector<glm::dvec2>& ends, const CloudsOfTime& there) {
+  std::vector<std::uint32_t> byX(there.clouds.size());
+  std::iota(byX.begin(), byX.end(), 0u);
+  const auto xOf = [&](std::uint32_t i) { return there.clouds[i].place.x; };
+  std::ranges::sort(byX, {}, xOf);
+  float widest = 0;
+  for (const motion::CarriedCloud& cloud : there.clouds) widest = std::max(widest, cloud.widthMeters);
+  std::vector<float> fractions(time.clouds.size(), 0);
+  base::parallelFor(fractions.size(), [&](std::size_t i) {
+    const motion::CarriedCloud& own = time.clouds[i];
+    const double reach = 0.5 * (own.widthMeters + widest);
+    const auto from = std::ranges::lower_bound(byX, ends[i].x - reach, {}, xOf);
+    for (auto it = from; it != byX.end() && xOf(*it) <= ends[i].x + reach; ++it) {
+      const motion::CarriedCloud& other = there.clouds[*it];
+      const bool isThere = glm::distance(other.place, ends[i]) < 0.5 * (own.widthMeters + other.widthMeters),
+                 isAsHigh = other.baseMeters < own.baseMeters + own.depthMeters &&
+                            own.baseMeters < other.baseMeters + other.depthMeters;
+      if (isThere && isAsHigh) fractions[i] = std::max(fractions[i], there.fractions[*it]);
+    }
+  });
+  return fractions;
 }
 
 /// A sequence that fills the square evenly however far it has come (Roberts 2018, "The unreasonable effectiveness of
@@ -183,6 +213,13 @@ Passage passageOf(const CloudsOfTime& earlier, const CloudsOfTime& later, const 
     for (std::size_t i = 0; i < carried.size(); ++i) carried[i].place = ways[i][kFine / 2];
     return carried;
   };
+  const auto endsOf = [](const std::vector<std::vector<glm::dvec2>>& ways, std::size_t at) {
+    std::vector<glm::dvec2> ends;
+    for (const auto& way : ways) ends.push_back(way[at]);
+    return ends;
+  };
+  passage.fractionsAhead = fractionsAt(earlier, endsOf(passage.forwards, kFine), later);
+  passage.fractionsBefore = fractionsAt(later, endsOf(passage.backwards, 0), earlier);
   passage.tracking = motion::track(halfway(earlier, passage.forwards), halfway(later, passage.backwards));
 
   // As few intervals as follow the ways of nearly all clouds within a quarter of their width; a stretch is short.

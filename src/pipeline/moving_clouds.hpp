@@ -36,6 +36,8 @@ struct Passage {
   int intervals = 0;  ///< the ways have one place more
   motion::Tracking tracking;
   std::vector<std::vector<glm::dvec2>> forwards, backwards;  ///< of each earlier cloud; of each later one, in time's order
+  /// Of each earlier cloud: the cover of the later ones' layer at its heights where it ends; of each later one in turn.
+  std::vector<float> fractionsAhead, fractionsBefore;
 };
 
 /// Carries, matches, and cuts a stretch of the time into as many intervals as straight lines need to follow the wind, at

@@ -181,7 +181,7 @@ SplatFile readSplats(std::string_view bytes, const std::string& where,
     }
     const json extras = root.value("asset", json::object()).value("extras", json::object());
     if (extras.contains("terrain")) readTerrain(glb, extras["terrain"], out.terrain);
-    out.moonlight = extras.value("moonlight", out.moonlight);
+    out.moonlight = std::clamp(extras.value("moonlight", out.moonlight), 0.0f, 10.0f);
     if (extras.contains("sun")) {
       out.sunAzimuthDegrees = extras["sun"].value("azimuth_degrees", out.sunAzimuthDegrees);
       out.sunElevationDegrees = extras["sun"].value("elevation_degrees", out.sunElevationDegrees);
