@@ -2,13 +2,13 @@
 #include "light/moon.hpp"
 
 #include <libnova/lunar.h>
-#include <libnova/precession.h>
-#include <libnova/transform.h>
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+
+#include "light/horizontal.hpp"
 
 namespace cloudgen::light {
 namespace {
@@ -26,19 +26,15 @@ float luminance(const glm::vec3& color) { return glm::dot(color, glm::vec3(0.212
 }  // namespace
 
 Moon moonAt(base::UtcTime time, double longitudeDegrees, double latitudeDegrees) {
-  ln_lnlat_posn observer{longitudeDegrees, latitudeDegrees};
-  ln_equ_posn atJ2000{}, equatorial{};
-  ln_hrz_posn horizontal{};
+  ln_equ_posn moon{};
   const double day = base::julianDay(time);
-  // As the sun's (sunAt), of the equinox J2000.
-  ln_get_lunar_equ_coords(day, &atJ2000);
-  ln_get_equ_prec(&atJ2000, day, &equatorial);
-  ln_get_hrz_from_equ(&equatorial, &observer, day, &horizontal);
+  ln_get_lunar_equ_coords(day, &moon);
+  const Horizontal place = horizontalOf(moon.ra, moon.dec, day, longitudeDegrees, latitudeDegrees);
   // From the ground the moon stands lower than from the Earth's middle.
   const double parallax = std::asin(kEarthKilometers / ln_get_lunar_earth_dist(day));
   const double elevation =
-      horizontal.alt - glm::degrees(parallax * std::cos(glm::radians(horizontal.alt)));
-  const Sun placed = sunFrom(std::fmod(horizontal.az + 180.0, 360.0), elevation);
+      place.elevationDegrees - glm::degrees(parallax * std::cos(glm::radians(place.elevationDegrees)));
+  const Sun placed = sunFrom(place.azimuthDegrees, elevation);
   return {placed.azimuthDegrees, elevation, ln_get_lunar_phase(day), placed.direction};
 }
 

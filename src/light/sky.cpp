@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "light/sky.hpp"
 
-#include <libnova/precession.h>
 #include <libnova/solar.h>
-#include <libnova/transform.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +11,7 @@
 #include <numbers>
 
 #include "light/atmosphere.hpp"
+#include "light/horizontal.hpp"
 
 namespace cloudgen::light {
 namespace {
@@ -53,16 +52,11 @@ Sun sunFrom(double azimuthDegrees, double elevationDegrees) {
 }
 
 Sun sunAt(base::UtcTime time, double longitudeDegrees, double latitudeDegrees) {
-  ln_lnlat_posn observer{longitudeDegrees, latitudeDegrees};
-  ln_equ_posn atJ2000{}, equatorial{};
-  ln_hrz_posn horizontal{};
+  ln_equ_posn sun{};
   const double day = base::julianDay(time);
-  // libnova's sun is of the equinox J2000; the sky turns about today's pole (50 arc seconds a year).
-  ln_get_solar_equ_coords(day, &atJ2000);
-  ln_get_equ_prec(&atJ2000, day, &equatorial);
-  ln_get_hrz_from_equ(&equatorial, &observer, day, &horizontal);
-  // libnova counts azimuth from the south, westwards.
-  return sunFrom(std::fmod(horizontal.az + 180.0, 360.0), horizontal.alt);
+  ln_get_solar_equ_coords(day, &sun);
+  const Horizontal place = horizontalOf(sun.ra, sun.dec, day, longitudeDegrees, latitudeDegrees);
+  return sunFrom(place.azimuthDegrees, place.elevationDegrees);
 }
 
 Sky skyUnder(const Sun& sun, float moonlight) {
